@@ -1,15 +1,18 @@
 //! Random dies: how they end, and what they cost.
 //!
 //! `cargo bench --bench campaign -- --count 1000 --seed 7`, with `--elastoplastic 1` for the elastoplastic law,
-//! `--sheets 1` for the sheets of the library in place of random laws, `--work 1` for bends, ironing, gas, free flanges and second stages in place of sections that are drawn; `--r 60` is r̄ = 0.6 in place of the sheet's, and
+//! `--sheets 1` for the sheets of the library in place of random laws, `--templates 1` for tubes, holes, pads and reverse redraws, `--work 1` for bends, ironing, gas, free flanges and second stages in place of sections that are drawn; `--r 60` is r̄ = 0.6 in place of the sheet's, and
 //! `--hosford 8` Hosford's yield condition of that exponent with it
 
 #[path = "../tests/suite/common/random_die.rs"]
 mod random_die;
+#[path = "../tests/suite/common/random_template.rs"]
+mod random_template;
 #[path = "../tests/suite/common/random_work.rs"]
 mod random_work;
 
 use random_die::{THIRD_SERIES, random_die};
+use random_template::random_template;
 use random_work::{make_elastic, random_work};
 use rayon::prelude::*;
 use stampflow::material::{Hill48, Hosford, YieldCriterion};
@@ -39,7 +42,11 @@ struct Outcome {
 fn main() {
     let (count, seed) = (argument("--count", 200), argument("--seed", 7));
     let asked = |name: &str| argument(name, 0) != 0;
-    let make = if asked("--work") { work } else { section };
+    let make = match () {
+        () if asked("--templates") => random_template,
+        () if asked("--work") => work,
+        () => section,
+    };
     let series = if asked("--sheets") { THIRD_SERIES } else { 0 };
     let seeds = (0..count).into_par_iter().map(|i| series + seed.wrapping_mul(1_000_003) + i);
     let elastoplastic = asked("--elastoplastic");

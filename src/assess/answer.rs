@@ -176,7 +176,7 @@ fn numbers(case: &Case, stages: &[StageSolution], is_torn: bool) -> Vec<Quantity
 }
 
 fn thinnest(stages: &[StageSolution], end: &StepRecord, is_torn: bool) -> Option<Quantity> {
-    let thinning = 1.0 - end.thinnest / stages.last()?.model.blank.thickness;
+    let thinning = (1.0 - end.thinnest / stages.last()?.model.blank.thickness).max(0.0);
     // What comes after it is another sheet.
     let after = if is_torn { "after the tear" } else { "" };
     let about = [format!("{} thinner", Amount::share(thinning)), place(stages, end.thinnest_s0), after.into()];
@@ -232,12 +232,23 @@ pub(super) fn load(case: &Case, stages: &[StageSolution], bar: f64) -> Option<Qu
 /// Clear diameter of the hole at the end, and the thickness of its edge beside t₀ (d₀/d)^(1/(1 + r̄)), that of simple tension.
 fn hole(stage: &StageSolution) -> Option<Quantity> {
     let (blank, hole) = (&stage.model.blank, stage.steps.last()?.hole);
+    if blank.meridian.is_some() {
+        return end(stage.frames.last()?);
+    }
     let (edge, node) = (stage.frames.last()?.elements.first()?, stage.frames.last()?.nodes.first()?);
     let share = 1.0 / (1.0 + stage.model.material.yield_criterion.ratio());
     let tension = blank.thickness * (blank.hole / node.r).powf(share);
     let [edge, tension] = [edge.thickness, tension].map(Amount::thickness);
     let about = format!("clear in diameter, its edge {edge} thick, {tension} in simple tension");
     (hole > 0.0).then(|| Quantity::new("hole", "Hole", Amount::place(hole)).at(about))
+}
+
+/// Outside diameter at the end of a sheet that is not flat.
+fn end(frame: &crate::solver::solution::Frame) -> Option<Quantity> {
+    let [.., before, node] = &frame.nodes[..] else { return None };
+    let upright = (node.z - before.z) / (node.z - before.z).hypot(node.r - before.r);
+    let about = format!("outside in diameter, its edge {} thick", Amount::thickness(node.thickness));
+    Some(Quantity::new("end", "End", Amount::place(2.0 * node.r + node.thickness * upright.abs())).at(about))
 }
 
 fn pad(stage: &StageSolution) -> Option<Quantity> {
@@ -266,6 +277,12 @@ fn stripping(stage: &StageSolution) -> Option<Quantity> {
 }
 
 fn blank(model: &Model) -> Quantity {
+    if model.blank.meridian.is_some() {
+        let [length, thick] = [model.blank.length, model.blank.thickness].map(Amount::size);
+        let about = format!("outside in diameter, {length} along the sheet, {thick} thick");
+        let across = 2.0 * model.blank.reach() + model.blank.thickness;
+        return Quantity::new("blank", "Blank", Amount::size(across)).at(about);
+    }
     let across = worded(model.geometry, "in diameter", "wide");
     let amount = Amount::new(2.0 * model.blank.length, Unit::Mm, Digits::Given(2));
     let about = format!("{across}, {} thick", Amount::size(model.blank.thickness));
@@ -305,6 +322,7 @@ fn under_load(before: Option<Amount>) -> String {
 /// Draw-in of the last stage that forms, unless the edge left the die.
 fn draw_in(stages: &[StageSolution]) -> Option<Quantity> {
     let (_, stage) = formed(stages).last().filter(|(_, stage)| stage.stop.kind != StopKind::LeftDie)?;
+    stage.model.blank.meridian.is_none().then_some(())?;
     let load = if stages.last()?.model.release.is_some() { ", under load" } else { "" };
     let draw_in = Quantity::new("draw_in", "Draw-in", Amount::draw_in(stage.steps.last()?.draw_in));
     Some(draw_in.at(format!("of the edge, on each side{load}")))

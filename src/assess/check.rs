@@ -62,7 +62,7 @@ fn blank(model: &Model) -> Vec<Line> {
         Geometry::Axisymmetric => ("axisymmetric", String::new()),
         Geometry::PlaneStrain => ("plane strain", format!("half length, {} in all", Amount::set(2.0 * blank.length))),
     };
-    let volume = (extent.area(blank.length) - extent.area(blank.hole)) * blank.thickness;
+    let volume = extent.times() * blank.area(extent.geometry()) * blank.thickness;
     let (unit, times) = if extent == Extent::PerDepth { (Unit::Mm2, "times the depth") } else { (Unit::Mm3, "") };
     let theory = match blank.theory {
         Theory::Bending => format!("bending, {} points through the thickness", blank.layers),

@@ -111,12 +111,16 @@ pub(super) fn wrinkling(run: &Run) -> Option<Finding> {
 /// here says whether.
 pub(super) fn wall_wrinkles(run: &Run) -> Option<Finding> {
     let first = run.stages.first()?;
-    draw_ratio(&first.model)?;
+    let is_flat = first.model.blank.meridian.is_none();
+    if is_flat {
+        draw_ratio(&first.model)?;
+    }
     let bottom = run.stages.last()?.model.tool(Role::Punch).and_then(|punch| punch.profile.pieces().first());
     let is_domed = matches!(bottom, Some(Piece::Arc(_)));
     let has = |model: &Model, role: Role| model.release.is_none() && model.tool(role).is_some();
     let is_free = |model: &Model| has(model, Role::Punch) && !has(model, Role::Holder);
     let text = match run.stages.iter().skip(1).position(|stage| is_free(&stage.model)) {
+        _ if !is_flat => "a wall that is pressed along or around may buckle out of its circle".into(),
         _ if !is_upright(first).unwrap_or(false) => "part of the wall hangs free between punch and die".into(),
         _ if is_domed => "the ring round the dome hangs free until the punch has come to it".into(),
         Some(i) => run.of_stage("no sleeve holds the wall that is redrawn".into(), i + 1),

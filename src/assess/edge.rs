@@ -1,35 +1,38 @@
-//! Edge of a hole: its expansion against what the sheet's edge bears.
+//! Edge of a hole or of a tube: its expansion against what the sheet's edge bears.
 
 use super::*;
-
-/// Hole expansion ratio of a step \[–\].
-fn expansion(stage: &StageSolution, step: &StepRecord) -> f64 {
-    step.hole / (2.0 * stage.model.blank.hole) - 1.0
-}
 
 /// Time \[s\] and travel \[mm\] at which the hole of a stage comes to the limit of its edge, between two steps in proportion.
 pub(super) fn reached(stage: &StageSolution) -> Option<[f64; 2]> {
     let limit = stage.model.blank.edge_limit?.expansion;
-    let used = |step: &StepRecord| expansion(stage, step) / limit;
+    let used = |step: &StepRecord| step.edge_expansion(&stage.model.blank) / limit;
     let pair = stage.steps.windows(2).find(|pair| used(&pair[1]) >= 1.0)?;
     let share = ((1.0 - used(&pair[0])) / (used(&pair[1]) - used(&pair[0]))).clamp(0.0, 1.0);
     let between = |value: fn(&StepRecord) -> f64| value(&pair[0]) + share * (value(&pair[1]) - value(&pair[0]));
     Some([between(|step| step.time), between(|step| step.travel)])
 }
 
-/// Largest expansion of the hole; grey without a limit, for no law of a sheet knows how its edge was cut.
+/// Expansion from which on the end of a tube is widened \[–\]: half a percent.
+const WIDENED: f64 = 0.005;
+
+/// Largest expansion of the hole, or of the end of a sheet that is not flat at its mid-surface; grey without a limit, for no law of a sheet knows how its edge was cut.
 pub(super) fn judge(run: &Run) -> Option<Finding> {
     let blank = &run.case.model().blank;
+    let is_hole = blank.has_hole() && blank.meridian.is_none();
+    if !is_hole && (blank.meridian.is_none() || blank.edge != Edge::Free) {
+        return None;
+    }
+    let (edge, before) = if is_hole { ("hole", 2.0 * blank.hole) } else { ("end", 2.0 * blank.edge_radius()) };
     let (_, ratio, hole) = run.peak(|_, stage| {
-        let step = stage.steps.iter().filter(|step| step.hole > 0.0).max_by(|a, b| a.hole.total_cmp(&b.hole))?;
-        Some((expansion(stage, step), step.hole))
+        let expansions = stage.steps.iter().map(|step| (step.edge_expansion(blank), step.edge_diameter(blank)));
+        expansions.max_by(|a, b| a.0.total_cmp(&b.0)).filter(|(ratio, _)| is_hole || *ratio > WIDENED)
     })?;
-    let [from, to] = [2.0 * blank.hole, hole].map(Amount::place);
+    let [from, to] = [before, hole].map(Amount::place);
     let instant = formed(run.stages).find_map(|(i, stage)| Some((i, reached(stage)?[1])));
     let instant = instant.map_or_else(String::new, |(i, travel)| {
         run.of_stage(format!("it cracks at {} of travel", Amount::place(travel)), i)
     });
-    let text = joined([format!("the hole goes from Ø {from} to Ø {to}, expansion ratio {{}}"), instant], "; ");
+    let text = joined([format!("the {edge} goes from Ø {from} to Ø {to}, expansion ratio {{}}"), instant], "; ");
     let finding = Finding::judged("edge", "Edge", text).number(Amount::share(ratio));
     let Some(limit) = blank.edge_limit else {
         let advice = "write `blank.edge_limit` = { expansion = \"60 %\", scatter = \"10 %\" } with the hole expansion ratio of \

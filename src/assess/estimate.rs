@@ -2,9 +2,9 @@
 
 use super::*;
 use crate::material::flow::ROOM_TEMPERATURE;
-use crate::model::mesh;
 use crate::model::tool_sizes::{gap, mouth, shoulder_end, throat, widens};
 pub(crate) use crate::rules::{siebel, tensile_strength};
+use crate::solver::mesh;
 use std::f64::consts::FRAC_PI_2;
 
 /// Throat less punch \[mm\]; for a closed die or a punch that widens, the smallest gap at the full travel.
@@ -21,7 +21,8 @@ pub(crate) fn draw_ratio(model: &Model) -> Option<f64> {
     // A punch and a die with a bottom, both as wide as the blank, emboss it.
     let embossed =
         model.tool(Role::Die).is_some_and(|die| throat(die).is_none()) && extent(punch).1 >= model.blank.length;
-    let drawn = model.geometry == Geometry::Axisymmetric && model.blank.edge == Edge::Free && !embossed;
+    let is_flat = model.blank.meridian.is_none();
+    let drawn = is_flat && model.geometry == Geometry::Axisymmetric && model.blank.edge == Edge::Free && !embossed;
     let ratio = model.blank.length / mouth(punch, model.travel);
     (drawn && ratio > 1.0 && ratio.is_finite()).then_some(ratio)
 }

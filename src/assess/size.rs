@@ -35,7 +35,7 @@ pub fn size_doubts(case: &Case) -> Vec<String> {
 
 /// Width of a blank, both halves of a strip \[mm\].
 pub fn across(model: &Model) -> f64 {
-    2.0 * model.blank.length
+    2.0 * model.blank.reach()
 }
 
 fn width(model: &Model) -> Option<Finding> {

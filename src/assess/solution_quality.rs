@@ -146,7 +146,7 @@ pub(super) fn line_end(model: &Model, tool: &Tool) -> Option<Finding> {
     let (behind, whole) = match tool.role {
         Role::Punch => (-1.0, "its nose and its wall"),
         Role::Die => (1.0, "its shoulder and its wall"),
-        Role::Holder | Role::Pad => return None,
+        _ => return None,
     };
     let face = tool.profile.extreme(tool.role == Role::Punch, model.blank.ends())?.y;
     // The sheet lies left of the line: its last end is the one that is passed.

@@ -85,8 +85,7 @@ fn width() -> usize {
 
 /// Table with columns two spaces apart, wrapped to the width with the first column whole; headers may be none.
 pub fn table<Row: IntoIterator<Item: Into<Cell>>>(
-    headers: &[impl AsRef<str>],
-    rows: impl IntoIterator<Item = Row>,
+    headers: &[impl AsRef<str>], rows: impl IntoIterator<Item = Row>,
 ) -> ScreenText {
     let mut table = Table::new();
     table.load_preset(presets::NOTHING).set_content_arrangement(ContentArrangement::Dynamic);

@@ -157,12 +157,8 @@ impl StudyOptions {
 
     /// Prints the report, whatever becomes of the files; then writes charts, tables, curves and other files as one set.
     pub fn present(
-        &self,
-        report: &StudyReport,
-        (dir, mut folder): (&Path, ResultFolder),
-        mut files: Vec<(String, Vec<u8>)>,
-        curves: &[PathBuf],
-        extra: Value,
+        &self, report: &StudyReport, (dir, mut folder): (&Path, ResultFolder), mut files: Vec<(String, Vec<u8>)>,
+        curves: &[PathBuf], extra: Value,
     ) -> Result<Code> {
         let pictures = self.pictures.pictures()?;
         let tables = || report.tables.iter().filter(|table| !table.rows.is_empty());

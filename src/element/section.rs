@@ -61,12 +61,7 @@ impl<L: PointLaw> Section<'_, L> {
     ///
     /// The points of the element are those of the start of the step; the iterates are advanced, the updates overwritten.
     pub fn internal(
-        &self,
-        current: &Current,
-        volume: f64,
-        thickness: f64,
-        points: &[L::PointState],
-        iterates: &mut [L::Iterate],
+        &self, current: &Current, volume: f64, thickness: f64, points: &[L::PointState], iterates: &mut [L::Iterate],
         updates: &mut [StressUpdate],
     ) -> (Vector6, Option<Matrix6>) {
         let e = &current.strain;

@@ -20,11 +20,13 @@ use crate::import::{DrawingUnit, FINISHED, RELEASED, SIZES, STRIP};
 use crate::measure::wall_at;
 use crate::model::{Geometry, Stage, Tool};
 use crate::plot::drawing::{Layer, extent, layers_csv, true_size_svg};
-use crate::plot::sections::tool_displacement;
+use crate::plot::sections::{flat, tool_displacement};
 use crate::solver::solution::{Frame, StageSolution};
 use crate::units::{joined, trimmed};
 use std::path::Path;
 
+/// Colours of punch, die, holder and pad, in CAD and on a page.
+const COLORS: [(u8, &str); 4] = [(1, "#d00000"), (5, "#0000d0"), (3, "#009000"), (6, "#a000a0")];
 /// Reach of endless walls beyond the sheet, over its size, and of the axis beyond the drawing, over its height \[–\].
 const MARGIN: f64 = 0.2;
 const BEYOND: f64 = 0.05;
@@ -99,6 +101,11 @@ impl Drawing {
 
     fn blank(&mut self, stage: &Stage) {
         let ([hole, length], half) = (stage.model.blank.ends(), 0.5 * stage.model.blank.thickness);
+        if stage.model.blank.meridian.is_some() {
+            let outline = flat(&stage.model);
+            let closed = outline.iter().chain(outline.first()).copied();
+            return self.layers.push(Layer::polyline("BLANK".to_owned(), (30, "#ff7f00"), closed));
+        }
         let sign = if stage.model.geometry == Geometry::Axisymmetric { "blank Ø " } else { STRIP };
         let sizes = [Some(2.0 * length), Some(2.0 * half), stage.model.depth].into_iter().flatten();
         let text = format!("{sign}{}", joined(sizes.map(|mm| self.label(mm)), " x "));
@@ -111,11 +118,11 @@ impl Drawing {
         let frames = || solved.into_iter().flat_map(|solved| solved.start.iter().chain(&solved.frames));
         let up = |frame: &Frame| tool_displacement(frame, index).y;
         let passed = frames().flat_map(|f| f.nodes.iter().map(move |node| Point::new(node.r, node.z - up(f))));
-        let flat = Bounds { low: Point::zeros(), high: Point::new(stage.model.blank.length, 0.0) };
+        let flat = Bounds { low: Point::zeros(), high: Point::new(stage.model.blank.reach(), 0.0) };
         let around = passed.fold(flat, Bounds::with);
         let profile = tool.profile.cut_to([around.low, around.high], MARGIN * (around.high - around.low).max());
         let profile = profile.shifted(frames().last().map_or(0.0, up));
-        let color = [(1, "#d00000"), (5, "#0000d0"), (3, "#009000"), (6, "#a000a0")][tool.role as usize];
+        let color = COLORS[tool.role as usize];
         let name = format!("{prefix}{}", tool.role.name().to_uppercase());
         self.layers.push(Layer::of_pieces(name, color, profile.pieces().to_vec()));
     }

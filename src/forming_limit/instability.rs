@@ -124,11 +124,7 @@ fn diffuse(Proportional { strain: [e1, e2], stress: [s1, s2] }: &Proportional) -
 
 /// Curve where hardening no longer outruns the loss H of a path.
 fn curve(
-    name: &'static str,
-    n: Option<f64>,
-    sheet: &Sheet,
-    what: &str,
-    loss: impl Fn(&Proportional) -> f64,
+    name: &'static str, n: Option<f64>, sheet: &Sheet, what: &str, loss: impl Fn(&Proportional) -> f64,
 ) -> Result<Curve, LawError> {
     let criterion = sheet.material.yield_criterion;
     let point = |beta: f64| {

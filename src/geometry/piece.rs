@@ -139,6 +139,17 @@ impl Piece {
         }
     }
 
+    /// Point at a length along the piece \[mm\] and the unit tangent there.
+    pub fn at(&self, length: f64) -> (Point, Point) {
+        match self {
+            Piece::Segment(s) => (s.from + length * s.direction, s.direction),
+            Piece::Arc(a) => {
+                let turn = length / self.length() * a.sweep;
+                (a.center + a.radius * direction(a.start + turn), a.sweep.signum() * turned(direction(a.start + turn)))
+            }
+        }
+    }
+
     /// Unit tangent at the first (`false`) or last (`true`) point.
     pub fn tangent(&self, last: bool) -> Point {
         match self {

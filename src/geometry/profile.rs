@@ -168,6 +168,22 @@ impl Profile {
         self.pieces[self.pieces.len() - 1].last()
     }
 
+    /// Length of the chain \[mm\].
+    pub fn length(&self) -> f64 {
+        self.pieces.iter().map(Piece::length).sum()
+    }
+
+    /// Point at a length along the chain \[mm\] and the direction there; the end of the chain beyond it.
+    pub fn at(&self, mut length: f64) -> (Point, Point) {
+        for piece in &self.pieces {
+            if length <= piece.length() {
+                return piece.at(length);
+            }
+            length -= piece.length();
+        }
+        (self.last(), self.pieces[self.pieces.len() - 1].tangent(true))
+    }
+
     /// Profile moved by `dz` \[mm\] along z.
     pub fn shifted(&self, dz: f64) -> Self {
         let up = Point::new(0.0, dz);

@@ -174,10 +174,7 @@ impl Band {
 }
 
 fn rows<T: Dimensioned>(
-    name: &str,
-    limits: &[Limit<T>],
-    amount: fn(f64) -> Amount,
-    sources: &mut Vec<String>,
+    name: &str, limits: &[Limit<T>], amount: fn(f64) -> Amount, sources: &mut Vec<String>,
 ) -> Vec<[String; 6]> {
     let row = |limit: &Limit<T>| {
         let end = |end: Option<T>| end.or(limit.value).map_or("–".into(), |end| amount(end.value()).to_string());

@@ -165,7 +165,7 @@ fn sheet_side(tool: ToolId, chain: Chain, heading: Heading, frame: &Frame) -> Re
     let end = match (tool.role, is_closed) {
         (Role::Die, true) => back_inner,
         (Role::Punch | Role::Pad, _) => back_outer,
-        (Role::Die, false) | (Role::Holder, _) => face_outer,
+        _ => face_outer,
     };
     let [before, _] = split(&chain, end, frame.join);
     let pieces = if before.is_empty() { chain.pieces.clone() } else { before };

@@ -61,11 +61,7 @@ pub(super) fn strokes(entities: &[Placed], layers: &Layers, tool: ToolId, frame:
 
 /// Box around an operation's layers of these names as `export` draws them, without those that `--layer` names.
 pub(super) fn bounds(
-    names: &[&str],
-    operation: Option<u32>,
-    entities: &[Placed],
-    options: &Options,
-    frame: &Frame,
+    names: &[&str], operation: Option<u32>, entities: &[Placed], options: &Options, frame: &Frame,
 ) -> Option<Bounds> {
     let is_ours = |Placed { source, entity, .. }: &&Placed| {
         let is_named = exported(&source.layer).is_some_and(|(own, name)| own == operation && names.contains(&name));

@@ -203,12 +203,7 @@ impl Iterate {
     /// # References
     /// The carried stress: Chan, Golub, Mulet, SIAM J. Sci. Comput. 20 (1999) 1964–1977, for a potential with the same kink.
     fn flow(
-        &mut self,
-        law: &FlowLaw,
-        condition: &impl YieldCondition,
-        point: &PointState,
-        strain: Triple,
-        spread: [f64; 2],
+        &mut self, law: &FlowLaw, condition: &impl YieldCondition, point: &PointState, strain: Triple, spread: [f64; 2],
     ) -> Response {
         let PreviousRate { weight, strain: past, spread: past_spread, equivalent } = point.previous;
         let steep = 1.0 + weight;

@@ -94,7 +94,8 @@ pub fn events(stage: &StageSolution) -> Vec<Event> {
     let mut at = |kind: EventKind, step: Option<&StepRecord>| {
         found.extend(step.map(|s| Event { kind, travel: s.travel, time: s.time, force: s.punch_force }));
     };
-    if stage.model.blank.edge == Edge::Free {
+    let is_flat = stage.model.blank.meridian.is_none();
+    if is_flat && stage.model.blank.edge == Edge::Free {
         let gap = |step: &StepRecord| step.edge_gap[Role::Die as usize];
         let near = |step: &StepRecord| gap(step) < OFF * stage.model.blank.thickness;
         // A rim off the die is on neither its shoulder nor in its throat, however steep the nearest place is.
@@ -106,7 +107,7 @@ pub fn events(stage: &StageSolution) -> Vec<Event> {
         at(EventKind::RimOnShoulder, on_shoulder.map(|k| &steps[k]));
         at(EventKind::RimInThroat, on_shoulder.and_then(|k| steps[k..].iter().find(|step| steeper(step, UPRIGHT))));
     }
-    for role in Role::ALL {
+    for role in Role::ALL.into_iter().filter(|_| is_flat) {
         at(EventKind::BottomMeets(role), comes(stage, |step| step.middle_gap[role as usize]));
     }
     if stage.model.tools.iter().any(|tool| matches!(tool.motion, Motion::Pressed(_))) {

@@ -1,16 +1,26 @@
 //! The sheet before forming.
 
-use super::Theory;
+use super::{Geometry, Theory};
+use crate::element::Node;
+use crate::geometry::{Point, Profile};
 use crate::numerics::quadrature::{ThicknessPoint, lobatto, midpoint};
 use crate::units::{As, NonNegative, Positive, Ratio};
+use std::f64::consts::TAU;
+
+/// Chords that areas are measured by.
+const CHORDS: usize = 1000;
 
 /// The sheet before forming.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Blank {
-    /// Radius, or half-length in plane strain \[mm\].
+    /// Radius, or half-length in plane strain; of a sheet that is not flat the length of its meridian \[mm\].
     pub length: f64,
-    /// Radius of a hole around the axis, whose edge is free \[mm\]; 0 without one.
+    /// Distance of the first end from the axis \[mm\], the radius of a hole; 0 without one.
     pub hole: f64,
+    /// Meridian of a sheet that is not flat, such as a tube's; it begins at the distance `hole` from the axis.
+    pub meridian: Option<Profile>,
+    /// How the first end is held where it is not on the axis.
+    pub inner_edge: Edge,
     /// Expansion that the edge of the hole bears; `None` where it is not known.
     pub edge_limit: Option<EdgeLimit>,
     /// Initial thickness \[mm\].
@@ -58,6 +68,8 @@ impl Blank {
         Self {
             length,
             hole: 0.0,
+            meridian: None,
+            inner_edge: Edge::Free,
             edge_limit: None,
             thickness,
             elements: 100,
@@ -69,9 +81,45 @@ impl Blank {
         }
     }
 
-    /// Distances of both ends from the axis or symmetry plane \[mm\].
+    /// Distances of both ends from the axis or symmetry plane; of a sheet that is not flat along it from the first end on \[mm\].
     pub fn ends(&self) -> [f64; 2] {
-        [self.hole, self.length]
+        [if self.meridian.is_some() { 0.0 } else { self.hole }, self.length]
+    }
+
+    /// Node at a distance between the [ends](Self::ends) \[mm, rad\].
+    pub fn node(&self, s: f64) -> Node {
+        let Some(meridian) = &self.meridian else { return [s, 0.0, 0.0] };
+        let (at, along) = meridian.at(s);
+        [at.x, at.y, along.y.atan2(along.x)]
+    }
+
+    /// Distance of the outer edge from the axis or symmetry plane \[mm\].
+    pub fn edge_radius(&self) -> f64 {
+        self.node(self.length)[0]
+    }
+
+    /// True if the first end is the free edge of a hole.
+    pub fn has_hole(&self) -> bool {
+        self.hole > 0.0 && self.inner_edge == Edge::Free
+    }
+
+    /// Largest distance of the mid-surface from the axis or symmetry plane \[mm\].
+    pub fn reach(&self) -> f64 {
+        self.meridian.as_ref().map_or(self.length, |_| self.places(CHORDS).map(|place| place.x).fold(0.0, f64::max))
+    }
+
+    /// Points along the mid-surface, `count` and one more \[mm\].
+    pub fn places(&self, count: usize) -> impl Iterator<Item = Point> {
+        let [from, to] = self.ends();
+        let nodes = (0..=count).map(move |i| self.node(from + (to - from) * i as f64 / count as f64));
+        nodes.map(|[r, z, _]| Point::new(r, z))
+    }
+
+    /// Area of the mid-surface \[mm², or mm per mm of depth\], by chords where it is curved.
+    pub fn area(&self, geometry: Geometry) -> f64 {
+        let places: Vec<Point> = self.places(CHORDS).collect();
+        let around = |r: f64| if geometry == Geometry::Axisymmetric { TAU * r } else { 1.0 };
+        places.windows(2).map(|w| around(0.5 * (w[0].x + w[1].x)) * (w[1] - w[0]).norm()).sum()
     }
 
     /// The points through the thickness.
@@ -100,7 +148,22 @@ pub enum Grading {
     },
 }
 
-/// The blank's outer edge.
+impl Edge {
+    /// Prescribed moves of the edge in a step \[mm, rad\], `None` where it is free; `punch` is the move of a punch at the mean
+    /// speed, `travel` that of the step.
+    pub fn held(self, punch: f64, travel: f64) -> [Option<f64>; 3] {
+        match self {
+            Self::Free => [None; 3],
+            Self::Axis => [Some(0.0), None, Some(0.0)],
+            Self::Guided => [None, Some(0.0), Some(0.0)],
+            Self::Clamped => [Some(0.0); 3],
+            Self::Fed => [None, Some(travel), Some(0.0)],
+            Self::Pulled { speed } => [Some(speed * punch), Some(0.0), Some(0.0)],
+        }
+    }
+}
+
+/// How an edge of the blank is held.
 #[derive(Clone, Copy, Debug, Default, PartialEq, serde::Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Edge {
@@ -109,6 +172,13 @@ pub enum Edge {
     Free,
     /// Does not move: a locking bead.
     Clamped,
+    /// Keeps its height and its slope, and moves away from the axis freely: the middle plane of a tube, or an end in its seat.
+    Guided,
+    /// Guided, and moved upward with the travel: the end of a tube that is fed.
+    Fed,
+    /// Stays on the axis or the symmetry plane: the first end of a blank without a hole.
+    #[serde(skip)]
+    Axis,
     /// Moves outward in its plane at `speed` times the punch speed \[–\] and keeps its slope: for tension tests, which no case
     /// file asks for.
     #[serde(skip)]

@@ -113,7 +113,9 @@ impl Model {
     fn check_blank(&self) -> Checked {
         let blank = &self.blank;
         numbers("blank", [("thickness", blank.thickness, POSITIVE), ("length", blank.length, POSITIVE)])?;
-        number("blank.hole", blank.hole, [0.0, blank.length])?;
+        number("blank.hole", blank.hole, [0.0, if blank.meridian.is_some() { f64::MAX } else { blank.length }])?;
+        let stands = matches!(blank.inner_edge, Edge::Free | Edge::Guided | Edge::Clamped);
+        check(stands, "blank.inner_edge", || "must be free, guided or clamped".into())?;
         needs("blank.edge_limit", blank.edge_limit.is_none() || blank.hole > 0.0, "blank.hole")?;
         needs("stop.edge_limit", !self.stop.edge_limit || blank.edge_limit.is_some(), "blank.edge_limit")?;
         count("blank.elements", blank.elements, ELEMENTS)?;
@@ -207,7 +209,7 @@ impl Model {
         }
         let held = self.gas.iter().filter(|gas| matches!(gas.pressure, Pressure::Rate(_))).count();
         once(held > 1, "gas that holds a strain rate")?;
-        let pulled = matches!(self.blank.edge, Edge::Pulled { .. });
+        let pulled = matches!(self.blank.edge, Edge::Pulled { .. } | Edge::Fed);
         let acts = pulled || !self.tools.is_empty() || !self.gas.is_empty() || self.release.is_some();
         check(acts, "tools", || "are missing: there is no gas, no pulled edge and no release that acts either".into())
     }

@@ -5,7 +5,6 @@ mod check;
 mod extent;
 mod heat;
 mod loads;
-pub mod mesh;
 mod mode;
 pub mod refinement;
 mod role_names;
@@ -130,6 +129,12 @@ impl Model {
         self.tools.iter().position(|tool| tool.role == role)
     }
 
+    /// First and last of `nodes` and how they are held.
+    pub fn held_edges(&self, nodes: usize) -> [(usize, Edge); 2] {
+        let first = if self.blank.hole == 0.0 { Edge::Axis } else { self.blank.inner_edge };
+        [(0, first), (nodes - 1, self.blank.edge)]
+    }
+
     /// Elasticity in the model's mode; `None` by the flow law.
     pub fn elasticity(&self) -> Option<Elastic> {
         self.material.elastic.filter(|_| self.mode != Mode::Flow)
@@ -150,8 +155,13 @@ impl Model {
     pub fn may_be_left(&self) -> bool {
         let goes_own_way = |tool: &Tool| matches!(tool.motion, Motion::Path(_));
         let pulled = matches!(self.blank.edge, Edge::Pulled { .. });
-        let driven = pulled || !self.gas.is_empty() || self.tools.iter().any(|tool| tool.motion == Motion::Travel);
-        self.tools.iter().any(goes_own_way) || !(driven || self.release.is_some())
+        let driven = pulled
+            || self.blank.edge == Edge::Fed
+            || !self.gas.is_empty()
+            || self.tools.iter().any(|tool| tool.motion == Motion::Travel);
+        // A sheet that is held at its far end stands by itself.
+        let stands = self.blank.meridian.is_some() && self.blank.inner_edge != Edge::Free;
+        stands || self.tools.iter().any(goes_own_way) || !(driven || self.release.is_some())
     }
 
     /// Strain rate held by a gas pressure.

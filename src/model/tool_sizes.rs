@@ -1,7 +1,7 @@
 //! Sizes of tools measured on their sections.
 
 use super::{Role, Tool};
-use crate::geometry::{Piece, Point, Segment};
+use crate::geometry::{Piece, Point, Profile, Segment};
 use crate::numerics::bisect;
 
 /// Smallest and largest distance of a tool from the axis \[mm\].
@@ -13,6 +13,9 @@ pub fn extent(tool: &Tool) -> (f64, f64) {
 /// Sampling of arcs \[rad\] and number of parts of a line.
 const FINE: f64 = 0.005;
 const PARTS: usize = 8;
+/// Step of the search for contact over the thickness \[–\], and bisections of the last one.
+const APPROACH: f64 = 0.25;
+const HALVINGS: usize = 50;
 /// Rounding of coordinates \[mm\].
 const ROUNDED: f64 = 1e-6;
 
@@ -84,4 +87,24 @@ fn flats(tool: &Tool) -> impl Iterator<Item = Segment> {
         Piece::Segment(line) if (line.to.y - line.from.y).abs() < ROUNDED => Some(*line),
         _ => None,
     })
+}
+
+/// Displacement along z of a tool that comes from its side, above (1) or below (−1), until it is `apart` from a sheet of points
+/// with half their thickness \[mm\]; `t` is about its thickness.
+pub fn met(tool: &Profile, side: f64, sheet: &[(Point, f64)], [t, apart]: [f64; 2]) -> f64 {
+    let towards = -side;
+    let z = || sheet.iter().map(|(x, _)| x.y);
+    let (low, high) = (z().fold(f64::INFINITY, f64::min), z().fold(f64::NEG_INFINITY, f64::max));
+    let tip = tool.polyline(t).iter().map(|p| towards * p.y).fold(f64::NEG_INFINITY, f64::max) * towards;
+    let from = if towards > 0.0 { low } else { high } - towards * 2.0 * t - tip;
+    let most = high - low + 4.0 * t;
+    let touches = |way: f64| {
+        let moved = Point::new(0.0, from + towards * way);
+        sheet.iter().any(|(x, half)| tool.closest(x - moved).distance - half < apart)
+    };
+    let steps = (most / (APPROACH * t)).ceil() as usize;
+    let way = |k: usize| APPROACH * t * k as f64;
+    let Some(hit) = (1..=steps).find(|&k| touches(way(k))) else { return from + towards * most };
+    let [free, _] = bisect(way(hit - 1), way(hit), HALVINGS, |way| !touches(way));
+    from + towards * free
 }

@@ -26,7 +26,7 @@ pub(crate) fn files(view: &StageView, frames: &[&Frame]) -> Vec<(String, Vec<u8>
 
 fn picture(view: &StageView, frames: &[&Frame], frame: &Frame) -> Chart {
     let model = view.model();
-    let window = sections::window(frames.iter().flat_map(|f| &f.nodes), model.blank.length);
+    let window = sections::window(frames.iter().flat_map(|f| &f.nodes), model.blank.reach());
     let (value, unit) = view.progress_value(frame);
     let largest = frames.iter().map(|frame| view.progress_value(frame).0).fold(0.0, f64::max);
     let decimals = if largest > 0.0 { (2.0 - largest.log10().floor()).clamp(0.0, 6.0) as usize } else { 0 };

@@ -21,7 +21,7 @@ const AROUND: f64 = 0.05;
 
 /// Sheet and tools before the first step of a stage with dimensions; `start` is the sheet that a later stage begins with.
 pub fn dimensioned(title: String, model: &Model, start: Option<&Frame>, dimensions: &[Dimension]) -> Chart {
-    let around = AROUND * model.blank.length;
+    let around = AROUND * model.blank.reach();
     let sheet = start.map_or_else(|| flat(model), |frame| whole_sheet(frame, 1.0));
     let points = || dimensions.iter().map(|own| (own.at.x, own.at.y)).chain(sheet.iter().copied());
     let width = bounds(points().map(|p| p.0)).1 + around;
@@ -32,7 +32,7 @@ pub fn dimensioned(title: String, model: &Model, start: Option<&Frame>, dimensio
     let flags: Vec<_> = dimensions.iter().map(|own| Annotation::flag(&own.text, (own.at.x, own.at.y))).collect();
     let note = match start {
         Some(_) => "Blue: the sheet that the stage begins with. Grey: the tools.",
-        None => "Blue: the blank. Grey: the tools, where they touch the flat sheet.",
+        None => "Blue: the blank. Grey: the tools, where they touch it.",
     };
     let panel = panel(model.geometry, window).with(tools(model, start, width)).annotated(flags);
     Chart::new(title, vec![panel.with([Series::silent(sheet, Style::area(color(0)))])], vec![note.to_owned()])

@@ -2,7 +2,8 @@
 
 use super::*;
 use crate::plot::fields::element::{
-    DAMAGE, POROSITY, S0, STRAIN_HOOP, STRAIN_MERIDIONAL, STRAIN_THICKNESS, TEARING_INDEX_NOW, TEMPERATURE, THICKNESS,
+    DAMAGE, POROSITY, S0, S0_ALONG, STRAIN_HOOP, STRAIN_MERIDIONAL, STRAIN_THICKNESS, TEARING_INDEX_NOW, TEMPERATURE,
+    THICKNESS,
 };
 
 /// Least span of the axis of a thickness over the initial one and a damage \[–\], a porosity \[–\], a temperature \[K\] and a strain \[–\].
@@ -41,32 +42,36 @@ pub(crate) fn temperature(view: &StageView) -> Option<Chart> {
     view.model().heat.as_ref().and_then(|_| over_blank(view, "temperature", &TEMPERATURE, LEAST_TEMPERATURE))
 }
 
+fn initial_place(view: &StageView) -> Field<ElementRecord> {
+    if view.model().blank.meridian.is_some() { S0_ALONG } else { S0 }
+}
+
 fn over_blank(view: &StageView, subject: &str, field: &Field<ElementRecord>, least: f64) -> Option<Chart> {
     view.stage.frames.last()?;
-    let extent = view.extent();
+    let (extent, s0) = (view.extent(), initial_place(view));
     let curves = view.shown_frames().into_iter().enumerate().map(|(i, frame)| {
-        Series::new(view.progress_at(frame).to_string(), S0.against(field, &frame.elements), Style::curve(i))
+        Series::new(view.progress_at(frame).to_string(), s0.against(field, &frame.elements), Style::curve(i))
     });
-    let panel = Panel::fit(S0.axis(extent), field.axis(extent), HEIGHT, least).with(curves);
+    let panel = Panel::fit(s0.axis(extent), field.axis(extent), HEIGHT, least).with(curves);
     Some(Chart { legend: capitalised(view.progress()), ..view.chart(subject, vec![panel], view.frames_note()) })
 }
 
 pub(crate) fn strains(view: &StageView) -> Option<Chart> {
-    let (extent, last) = (view.extent(), view.stage.frames.last()?);
+    let (extent, s0, last) = (view.extent(), initial_place(view), view.stage.frames.last()?);
     if view.is_level(0.0, STRAINS.iter().flat_map(|field| last.elements.iter().map(field.value)), LEAST_STRAIN) {
         return None;
     }
     let earlier = view.shown_frames().into_iter().rev().skip(1).map(|frame| (frame, true));
     let curves = earlier.chain([(last, false)]).flat_map(|(frame, is_earlier)| {
         STRAINS.iter().enumerate().map(move |(i, field)| {
-            let points = S0.against(field, &frame.elements);
+            let points = s0.against(field, &frame.elements);
             match is_earlier {
                 true => Series::silent(points, Style::curve(i).faint()),
                 false => Series::new(field.label(extent), points, Style::curve(i)),
             }
         })
     });
-    let panel = Panel::fit(S0.axis(extent), Axis::named("Strain", Unit::None), HEIGHT, LEAST_STRAIN).with(curves);
+    let panel = Panel::fit(s0.axis(extent), Axis::named("Strain", Unit::None), HEIGHT, LEAST_STRAIN).with(curves);
     let subject = format!("strains, {} {}", view.progress(), view.progress_at(last));
     let note = "Thin: the earlier frames. Logarithmic strains of the mid-surface.".to_owned();
     Some(view.chart(&subject, vec![panel], [Some(note), view.frames_note()].into_iter().flatten()))

@@ -11,6 +11,8 @@ use std::ops::Range;
 const CHORD: f64 = 0.03;
 pub(super) const SAGITTA: f64 = 1e-4;
 /// Surroundings of the sheet in a picture, over the section's width.
+/// Chords of a sheet that is not flat.
+const OUTLINED: usize = 200;
 const AROUND: f64 = 0.06;
 /// Outline of a tool far from the sheet \[mm\].
 const FAR: f64 = 1e3;
@@ -86,9 +88,17 @@ pub(crate) fn body(role: Role, profile: &Profile, moved: Point, sagitta: f64) ->
     outline
 }
 
-pub(super) fn flat(model: &Model) -> Vec<(f64, f64)> {
-    let ([hole, length], half) = (model.blank.ends(), 0.5 * model.blank.thickness);
-    vec![(hole, half), (length, half), (length, -half), (hole, -half)]
+pub(crate) fn flat(model: &Model) -> Vec<(f64, f64)> {
+    let (blank, half) = (&model.blank, 0.5 * model.blank.thickness);
+    let along = |side: f64| {
+        let [from, to] = blank.ends();
+        let count = if blank.meridian.is_some() { OUTLINED } else { 1 };
+        (0..=count).map(move |i| {
+            let [r, z, slope] = blank.node(from + (to - from) * i as f64 / count as f64);
+            (r - side * slope.sin(), z + side * slope.cos())
+        })
+    };
+    along(half).chain(along(-half).rev()).collect()
 }
 
 /// Outline of some elements of the sheet, drawn `times` as thick as they are.

@@ -10,7 +10,7 @@ const SMALL: f64 = 230.0;
 
 pub(crate) fn plot(view: &StageView) -> Option<Chart> {
     let (model, frames) = (view.model(), &view.stage.frames);
-    let window = window(frames.iter().flat_map(|f| &f.nodes), model.blank.length);
+    let window = window(frames.iter().flat_map(|f| &f.nodes), model.blank.reach());
     let width = window[0].1;
     let thinning = Thinning::new(model.blank.thickness, SMALL / width, frames);
     let small = |at: Amount, frame: Option<&Frame>, sheet: Vec<Series>| {

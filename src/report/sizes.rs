@@ -19,8 +19,12 @@ pub fn dimensions(model: &Model, start: Option<&Frame>) -> Vec<Dimension> {
     let blank = &model.blank;
     let mut found = Vec::new();
     if start.is_none() {
-        found.push(wide(model, "Blank", Amount::set, Point::new(blank.length, 0.0)));
-        found.push(plain("Thickness", Amount::size(blank.thickness), Point::new(0.8 * blank.length, 0.0)));
+        let at = |share: f64| Point::new(blank.node(share * blank.length)[0], blank.node(share * blank.length)[1]);
+        found.push(wide(model, "Blank", Amount::set, at(1.0)));
+        found.push(plain("Thickness", Amount::size(blank.thickness), at(0.8)));
+        found.extend(
+            blank.meridian.as_ref().map(|_| plain("Length along the sheet", Amount::set(blank.length), at(0.5))),
+        );
     }
     for (i, tool) in model.tools.iter().enumerate() {
         let moved = start.and_then(|frame| frame.tool_displacement.get(i)).copied().unwrap_or_default();
@@ -105,7 +109,7 @@ fn named(role: Role, arc: &Arc) -> String {
         (Role::Die, true) => " shoulder",
         (Role::Die, false) if on_axis => " bottom",
         (Role::Holder, true) => "",
-        (Role::Pad, true) => " edge",
+        (_, true) => " edge",
         (_, false) => " hollow",
     };
     capitalised(role.name()) + place

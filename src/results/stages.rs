@@ -29,7 +29,7 @@ fn lines(solution: &Solution) -> Vec<(&str, &str, Option<&StageSolution>)> {
 }
 
 fn edge(stage: &StageSolution, last: &StepRecord) -> f64 {
-    stage.model.blank.length - last.draw_in
+    stage.model.blank.edge_radius() - last.draw_in
 }
 
 /// Makes [`FILE`] of a case with several stages: the state at the end of each, empty for those that were not run.

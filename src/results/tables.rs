@@ -95,7 +95,7 @@ pub fn load_travel(stage: &StageSolution) -> Table {
     let pad = model.tool(Role::Pad).map(|_| &PAD_FORCE);
     let fields = STEP.iter().chain(model.material.gtn.map(|_| &VOIDS)).chain(damage).chain(heat).chain(pad);
     let mut columns: Vec<Column> = fields.map(|field| field.column(extent, &stage.steps)).collect();
-    columns.insert(7, edge_diameter(model.geometry, model.blank.length, &stage.steps));
+    columns.insert(7, edge_diameter(model.geometry, model.blank.edge_radius(), &stage.steps));
     Table::new(columns)
 }
 

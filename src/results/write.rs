@@ -142,10 +142,7 @@ impl Solution {
 impl Results<'_> {
     /// Writes every output, with those of the recorder and a report by its name, and commits the folder.
     pub fn write(
-        &self,
-        recorder: &FrameRecorder,
-        report: Option<(&str, String)>,
-        mut folder: ResultFolder,
+        &self, recorder: &FrameRecorder, report: Option<(&str, String)>, mut folder: ResultFolder,
     ) -> Result<Vec<PathBuf>, WriteError> {
         for output in OUTPUTS {
             if let Make::OfCase(make) = output.make {

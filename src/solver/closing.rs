@@ -3,7 +3,7 @@
 //! The holder closes before the punch moves, up to the force of the start of the draw or to the fixed gap.
 
 use super::*;
-use crate::model::{StopRules, mesh};
+use crate::model::StopRules;
 use crate::solver::solution::Closing;
 
 /// Closing travel over the thickness up to which holder and die lie on the flat sheet \[–\].
@@ -39,7 +39,7 @@ pub(super) fn block_height(model: &Model) -> Option<f64> {
 
 pub(super) fn close(model: &Model, way: f64, observer: &mut dyn Observer) -> StageSolution {
     let apart = closing_model(model, way);
-    let solution = run_from(&apart, State::flat(&apart, mesh::nodes(&apart)), &mut Unseen(observer));
+    let solution = run_from(&apart, State::initial(&apart, mesh::nodes(&apart)), &mut Unseen(observer));
     let last = solution.steps.last().copied().unwrap_or_default();
     let closing = Closing { way, gap: (way - last.travel).max(0.0), force: last.holder_force };
     StageSolution { closing: Some(closing), ..solution }

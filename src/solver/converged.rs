@@ -22,6 +22,12 @@ impl<'a> Converged<'a> {
         Self { step, trial, evaluation, outcome }
     }
 
+    /// Force along z of every tool on the sheet, of the whole part \[N, or N/mm\].
+    pub fn tool_forces(&self) -> Vec<f64> {
+        let times = self.step.model.extent().times();
+        self.evaluation.tool_force.iter().map(|force| times * force.y).collect()
+    }
+
     /// Largest equivalent strain increment at a thickness point \[–\].
     pub fn strain_increment(&self) -> f64 {
         self.evaluation.updates.iter().map(|update| update.increment).fold(0.0, f64::max)

@@ -49,6 +49,7 @@ impl Course {
         let (time, travel, steps) = (now.state.time, now.state.travel, now.last.step);
         run.stop = Stop::full_travel();
         run.steps.truncate(steps);
+        run.tool_forces.truncate(steps);
         run.frames.retain(|frame| frame.time <= time);
         run.paths.truncate(steps + 1, now.state.instant());
         run.neck = run.neck.filter(|neck| neck.time <= time);
@@ -159,6 +160,7 @@ impl Course {
             observer.step(&record);
             observer.state(model, &next);
             run.steps.push(record);
+            run.tool_forces.push(converged.tool_forces());
             self.now.last = record;
             swap(&mut before, &mut evaluation);
             if let Some(tool) = context.release(&next) {

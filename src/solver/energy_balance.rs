@@ -18,9 +18,8 @@ pub(super) fn work(before: &Evaluation, converged: &Converged) -> (Energy, Vec<f
         done.external += 0.5 * force.y * way.y;
         done.external += 0.5 * force.x * way.x;
     }
-    if let Edge::Pulled { speed } = model.blank.edge {
-        let force = before.edge_reaction.x + now.edge_reaction.x;
-        done.external += 0.5 * force * speed * model.speed * step.process_time;
+    if let (Edge::Pulled { .. } | Edge::Fed, Some(moved)) = (model.blank.edge, trial.moves.last()) {
+        done.external += 0.5 * (before.edge_reaction + now.edge_reaction).dot(&Vector3::from(*moved));
     }
     for ((before, now), u) in before.gas_force.iter().zip(&now.gas_force).zip(&trial.moves) {
         done.external += 0.5 * (before + now).dot(&Point::new(u[0], u[1]));

@@ -55,10 +55,6 @@ pub(super) fn unloading(model: &Model, state: &State) -> Arc<[Vector3<f64>]> {
 fn constrain(step: &Step, out: &mut Evaluation) {
     let (last, edge) = (out.nodes.len() - 1, step.model.blank.edge);
     out.edge_reaction = -out.system.rhs[last];
-    if step.model.blank.hole == 0.0 {
-        out.system.fix(0, 0);
-        out.system.fix(0, 2);
-    }
     if step.model.blank.theory == Theory::Membrane {
         (0..=last).for_each(|i| out.system.fix(i, 2));
     }
@@ -66,8 +62,9 @@ fn constrain(step: &Step, out: &mut Evaluation) {
         // Nothing else holds the sheet up; what fades is in balance, so that this bears nothing.
         out.system.fix(0, 1);
     }
-    if edge != Edge::Free {
-        (0..3).for_each(|freedom| out.system.fix(last, freedom));
+    for (i, edge) in step.model.held_edges(last + 1) {
+        let held = edge.held(0.0, 0.0).into_iter().enumerate();
+        held.filter(|(_, held)| held.is_some()).for_each(|(freedom, _)| out.system.fix(i, freedom));
     }
 }
 

@@ -13,6 +13,7 @@ mod evaluation;
 mod heat;
 mod ironing;
 mod line_search;
+pub mod mesh;
 mod no_equilibrium;
 mod observer;
 mod remedies;

@@ -29,11 +29,7 @@ pub(super) fn no_equilibrium(step: &Step, evaluation: &Evaluation, outcome: &Out
 
 /// Reason why a run spent its budget of `tries` at `step`; `worst` is the node with the largest residual of the last failed try.
 pub(super) fn creeping(
-    step: &Step,
-    evaluation: &Evaluation,
-    worst: Option<usize>,
-    steps: &[StepRecord],
-    tries: usize,
+    step: &Step, evaluation: &Evaluation, worst: Option<usize>, steps: &[StepRecord], tries: usize,
 ) -> Stop {
     let state = step.state;
     let rate = |e: &usize| state.points.row(*e).iter().map(|point| point.equivalent_rate).fold(0.0, f64::max);

@@ -3,18 +3,13 @@
 use super::closing::{close, closed};
 use super::*;
 use super::{equilibrium::unloading, step::FADING};
-use crate::model::mesh;
 use crate::model::stage::{Beginning, Stage};
-use crate::numerics::bisect;
+use crate::model::tool_sizes::met;
 use crate::solver::solution::Trimmed;
 use crate::solver::state::{waiting, waiting_displacement};
 use std::sync::Arc;
 
 const LEAST_ELEMENTS: usize = 2;
-
-/// Step of the search for contact over the thickness \[–\], and bisections of the last one.
-const APPROACH: f64 = 0.25;
-const HALVINGS: usize = 50;
 
 /// Solves stages one after another from the flat blank, up to the first that is refused or does not come to its end.
 pub fn solve(stages: &[Stage], observer: &mut dyn Observer) -> Vec<StageSolution> {
@@ -51,7 +46,7 @@ pub fn run(model: &Model, observer: &mut dyn Observer) -> StageSolution {
 
 fn from_flat(model: &Model, observer: &mut dyn Observer) -> StageSolution {
     let Some(way) = closing_way(model) else {
-        return run_from(model, State::flat(model, mesh::nodes(model)), observer);
+        return run_from(model, State::initial(model, mesh::nodes(model)), observer);
     };
     let before = close(model, way, observer);
     if !before.stop.is_complete() {
@@ -130,7 +125,9 @@ pub fn enter(stage: &Stage, before: &Model, mut state: State) -> State {
             state.shift.row_mut(j).copy_from_slice(old.shift.row(k));
         }
         if begin.meets.contains(&tool.role) {
-            state.tools[j].y = met(model, &state, j);
+            let at = |i: usize| Point::new(state.nodes[i][0] - state.tools[j].x, state.nodes[i][1]);
+            let sheet: Vec<_> = (0..state.nodes.len()).map(|i| (at(i), 0.5 * state.thickness_at(i))).collect();
+            state.tools[j].y = met(&tool.profile, tool.role.side(), &sheet, [model.blank.thickness, waiting(model)]);
         }
     }
     let has_gone = |old: &Tool| !model.tools.iter().any(|tool| stays(stage, tool, old));
@@ -175,30 +172,4 @@ fn trim(state: &mut State, radius: f64) {
     for pairs in [&mut state.pressure, &mut state.shift] {
         pairs.truncate_columns(STATIONS * elements);
     }
-}
-
-/// Axial displacement at which tool `j` waits just off the formed sheet \[mm\].
-fn met(model: &Model, state: &State, j: usize) -> f64 {
-    let tool = &model.tools[j];
-    let towards = -tool.role.side();
-    let z = || state.nodes.iter().map(|x| x[1]);
-    let (low, high) = (z().fold(f64::INFINITY, f64::min), z().fold(f64::NEG_INFINITY, f64::max));
-    let points = tool.profile.polyline(model.blank.thickness);
-    let tip = points.iter().map(|p| towards * p.y).fold(f64::NEG_INFINITY, f64::max) * towards;
-    let t = model.blank.thickness;
-    let near = if towards > 0.0 { low } else { high };
-    let from = near - towards * 2.0 * t - tip;
-    let most = high - low + 4.0 * t;
-    let touches = |way: f64| {
-        let moved = from + towards * way;
-        (0..state.nodes.len()).any(|i| {
-            let x = Point::new(state.nodes[i][0] - state.tools[j].x, state.nodes[i][1] - moved);
-            tool.profile.closest(x).distance - 0.5 * state.thickness_at(i) < waiting(model)
-        })
-    };
-    let steps = (most / (APPROACH * t)).ceil() as usize;
-    let way = |k: usize| APPROACH * t * k as f64;
-    let Some(hit) = (1..=steps).find(|&k| touches(way(k))) else { return from + towards * most };
-    let [free, _] = bisect(way(hit - 1), way(hit), HALVINGS, |way| !touches(way));
-    from + towards * free
 }

@@ -80,7 +80,7 @@ pub struct State {
     pub shift: Grid<f64>,
     /// Pressure of each gas \[MPa\].
     pub gas: Vec<f64>,
-    /// Initial distances of the nodes from the axis \[mm\].
+    /// Initial distances of the nodes from the axis, or along a sheet that is not flat from its first end \[mm\].
     pub s0: Vec<f64>,
     /// Nodal forces before tools were taken away from an elastic sheet, which fade \[N, N mm\]; empty without any.
     pub unloading: Arc<[Vector3<f64>]>,
@@ -101,9 +101,9 @@ pub fn waiting_displacement(model: &Model, tool: &Tool) -> f64 {
 }
 
 impl State {
-    /// Flat blank with waiting tools.
-    pub fn flat(model: &Model, s0: Vec<f64>) -> Self {
-        let nodes: Vec<Node> = s0.iter().map(|&r| [r, 0.0, 0.0]).collect();
+    /// Blank before forming with waiting tools.
+    pub fn initial(model: &Model, s0: Vec<f64>) -> Self {
+        let nodes: Vec<Node> = s0.iter().map(|&s| model.blank.node(s)).collect();
         let t = model.blank.thickness;
         let elements = nodes.len() - 1;
         let volume =
@@ -160,11 +160,11 @@ impl State {
         Point::new(b[0] - a[0], b[1] - a[1])
     }
 
-    /// Clear diameter of the hole, between its inner faces \[mm\]; 0 without one.
+    /// Clear diameter at the first end, between its inner faces \[mm\].
     pub fn hole(&self) -> f64 {
         let (along, r) = (self.along(0), self.nodes[0][0]);
         let half = 0.5 * self.thickness[0] * along.y.abs() / along.norm();
-        if self.s0[0] > 0.0 { 2.0 * (r - half) } else { 0.0 }
+        2.0 * (r - half)
     }
 
     /// Initial distance of the middle of element `e` from the axis \[mm\].

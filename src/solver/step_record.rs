@@ -8,6 +8,7 @@ pub(super) fn record(converged: &Converged, before: &Evaluation, next: &State, r
     let Converged { step, trial, evaluation, outcome, .. } = converged;
     let (model, times) = (step.model, step.model.extent().times());
     let force_of = |role: Role| model.tool_index(role).map_or(0.0, |j| times * evaluation.tool_force[j].y);
+    let is_fed = model.blank.edge == Edge::Fed;
     let thickness = &next.thickness;
     let thinner = |a: usize, b: usize| if thickness[b] < thickness[a] { b } else { a };
     let thinnest = (0..thickness.len()).fold(0, thinner);
@@ -19,12 +20,12 @@ pub(super) fn record(converged: &Converged, before: &Evaluation, next: &State, r
         step: step.number,
         time: step.end(),
         travel: step.travel(),
-        punch_force: force_of(Role::Punch),
+        punch_force: force_of(Role::Punch) + if is_fed { times * evaluation.edge_reaction.y } else { 0.0 },
         holder_force: force_of(Role::Holder),
         pad_force: -force_of(Role::Pad),
-        edge_force: if model.blank.edge == Edge::Free { 0.0 } else { times * evaluation.edge_reaction.x },
-        draw_in: model.blank.length - evaluation.nodes[n - 1][0],
-        hole: next.hole(),
+        edge_force: if is_fed || model.blank.edge == Edge::Free { 0.0 } else { times * evaluation.edge_reaction.x },
+        draw_in: model.blank.edge_radius() - evaluation.nodes[n - 1][0],
+        hole: if model.blank.has_hole() { next.hole() } else { 0.0 },
         thinnest: thickness[thinnest],
         thinnest_s0: next.middle(thinnest),
         pole_height: evaluation.nodes[0][1],

@@ -127,7 +127,7 @@ impl Termination {
             (beyond(state.travel, self.closed.map(|(limit, _)| limit * (1.0 - 1e-12))), StopKind::ToolsClosed),
             (through, if model.stop.drawn_through { StopKind::LeftDie } else { StopKind::DrawnThrough }),
             (beyond(record.porosity, model.material.gtn.map(|voids| voids.fracture())), StopKind::Coalesced),
-            (beyond(record.hole / (2.0 * model.blank.hole) - 1.0, edge_limit), StopKind::EdgeLimit),
+            (beyond(record.edge_expansion(&model.blank), edge_limit), StopKind::EdgeLimit),
             (beyond(record.contact_share, model.stop.contact_share), StopKind::ContactShare),
             (beyond(1.0 - record.punch_force / self.peak, drop), StopKind::LoadMaximum),
             (localised, StopKind::Localised),

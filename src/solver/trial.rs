@@ -81,14 +81,9 @@ impl Trial {
         if holds_rate && state.time == 0.0 {
             guess_dome(step, &mut self.moves);
         }
-        let last = self.moves.len() - 1;
-        match model.blank.edge {
-            Edge::Free => {}
-            Edge::Clamped => self.moves[last] = [0.0; 3],
-            Edge::Pulled { speed } => self.moves[last] = [speed * model.speed * step.process_time, 0.0, 0.0],
-        }
-        if model.blank.hole == 0.0 {
-            self.moves[0][0] = 0.0;
+        for (i, edge) in model.held_edges(self.moves.len()) {
+            let held = edge.held(model.speed * step.process_time, step.travel() - state.travel);
+            held.into_iter().enumerate().for_each(|(d, held)| self.moves[i][d] = held.unwrap_or(self.moves[i][d]));
         }
         let progress = model.progress(step.end()) - model.progress(state.time);
         for (j, tool) in context.tools.iter().enumerate() {
@@ -135,6 +130,10 @@ impl Trial {
 fn guess_dome(step: &Step, moves: &mut [Node]) {
     let Some((gas, control)) = step.model.held_gas() else { return };
     let a = gas.within.min(step.model.blank.length);
+    if step.model.blank.meridian.is_some() {
+        let grown = control.target * step.dt * gas.face.sign();
+        return moves.iter_mut().zip(&step.state.nodes).for_each(|(u, x)| *u = [grown * x[0], 0.0, 0.0]);
+    }
     let height = a * (control.target * step.dt).sqrt() * gas.face.sign();
     for (u, x) in moves.iter_mut().zip(&step.state.nodes) {
         let x = (x[0] / a).min(1.0);

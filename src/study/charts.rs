@@ -72,12 +72,8 @@ fn markers(points: &[((f64, f64), &Run)]) -> Vec<Series> {
 
 /// Numbers of known runs over a variable, each with its limit and one circled run; labelled trials are not joined.
 pub(super) fn trends(
-    runs: &RunTable,
-    x: &Axis,
-    mut positions: Vec<(f64, &Run)>,
-    numbers: Vec<(usize, Option<f64>)>,
-    circled: Option<(f64, &Run)>,
-    label: Option<&str>,
+    runs: &RunTable, x: &Axis, mut positions: Vec<(f64, &Run)>, numbers: Vec<(usize, Option<f64>)>,
+    circled: Option<(f64, &Run)>, label: Option<&str>,
 ) -> Vec<Panel> {
     positions.sort_by(|a, b| a.0.total_cmp(&b.0));
     let panel = |(i, (place, limit)): (usize, (usize, Option<f64>))| {

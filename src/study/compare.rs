@@ -87,10 +87,7 @@ pub fn check(candidates: &[Candidate], curves: &[Spec]) -> Result<()> {
 impl SideBySide {
     /// Solves the cases, but for the first if it is `known`, each with error bars.
     pub fn solve(
-        candidates: &[Candidate],
-        curves: Vec<Spec>,
-        known: Option<(Solution, ErrorBars)>,
-        threads: usize,
+        candidates: &[Candidate], curves: Vec<Spec>, known: Option<(Solution, ErrorBars)>, threads: usize,
         watch: &dyn Watch,
     ) -> Result<Self> {
         check(candidates, &curves)?;

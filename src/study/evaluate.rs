@@ -84,10 +84,7 @@ pub fn begin(study: &mut dyn Study, settings: &Evaluation) -> Result<RunTable> {
 
 /// Evaluates a study until it is done or `progress` breaks. Designs whose rows are among `earlier` are not run again.
 pub fn evaluate(
-    study: &mut dyn Study,
-    settings: &Evaluation,
-    mut runs: RunTable,
-    earlier: &EarlierRuns,
+    study: &mut dyn Study, settings: &Evaluation, mut runs: RunTable, earlier: &EarlierRuns,
     progress: &mut dyn FnMut(&RunTable, &Evaluated) -> ControlFlow<()>,
 ) -> RunTable {
     while !settings.watch.wants_to_stop() {
@@ -117,10 +114,7 @@ pub fn evaluate(
 /// Runs jobs on several threads and passes each result to `each`, in the order of the jobs. After `watch` asks to stop,
 /// no result that was cut short is passed on; the first error of `each` ends all jobs.
 pub fn parallel_map<R: Send, E>(
-    jobs: usize,
-    threads: usize,
-    watch: &dyn Watch,
-    one: impl Fn(usize) -> R + Sync,
+    jobs: usize, threads: usize, watch: &dyn Watch, one: impl Fn(usize) -> R + Sync,
     mut each: impl FnMut(R) -> Result<(), E>,
 ) -> Result<(), E> {
     let begun = AtomicUsize::new(0);

@@ -124,7 +124,7 @@ fn disk(tools: Vec<Tool>) -> (Model, State) {
     let gas = vec![Gas { face: Face::Upper, pressure: 3.0.into(), within: 20.0 }];
     let mut model = Model { tools, gas, ..bare(Geometry::Axisymmetric, Theory::Bending, 20.0, 1.0, 4) };
     model.blank.edge = Edge::Clamped;
-    let state = State::flat(&model, (0..=4).map(|i| 5.0 * f64::from(i)).collect());
+    let state = State::initial(&model, (0..=4).map(|i| 5.0 * f64::from(i)).collect());
     (model, state)
 }
 

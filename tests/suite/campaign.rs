@@ -2,6 +2,7 @@
 
 use crate::common::prelude::*;
 use crate::common::random_die::{SECOND_SERIES, THIRD_SERIES};
+use crate::common::random_template::{KINDS, random_template};
 use crate::common::random_work::{self, Kind, make_elastic};
 
 /// A hundred by the flow law, thirty with the metal elastic too.
@@ -78,4 +79,20 @@ fn a_holder_lets_go_little_by_little_of_a_sheet_that_runs_out_from_under_it() {
         let last = run.steps.last().expect("steps");
         assert!(last.work.imbalance().abs() < 0.005, "seed {seed}: {}", last.work.imbalance());
     }
+}
+
+/// Trust: as above, of every kind; its numbers are finite.
+#[test]
+fn random_tubes_holes_pads_and_reverse_redraws_end_well() {
+    let mut kinds = BTreeSet::new();
+    for seed in 60_000..60_040 {
+        let (kind, stages, text) = random_template(seed, seed % 2 == 1);
+        let solved = solver::solve(&stages, &mut ());
+        for run in &solved {
+            assert!(run.stop.is_complete() || run.stop.is_physical(), "seed {seed}: {text}: {}", run.stop);
+            assert!(run.steps.iter().all(|step| step.punch_force.is_finite() && step.thinnest > 0.0), "{text}");
+        }
+        kinds.insert(kind);
+    }
+    assert_eq!(kinds.len(), KINDS.len());
 }

@@ -49,7 +49,7 @@ fn bar(m: f64) -> Model {
 
 /// Strain in the neck, which is the element at the symmetry plane, and outside it, at every kept instant.
 fn pulled(m: f64, model: &Model) -> Vec<(f64, f64)> {
-    let mut state = State::flat(model, mesh::nodes(model));
+    let mut state = State::initial(model, mesh::nodes(model));
     state.thickness[0] *= 1.0 - IMPERFECTION;
     state.volume[0] *= 1.0 - IMPERFECTION;
     let run = solver::run_from(model, state, &mut ());

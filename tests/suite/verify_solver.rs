@@ -87,7 +87,7 @@ fn a_long_record_with_scatter_is_solved_as_its_law() {
 fn volume_is_constant() {
     for name in ["woo_hemispherical", "chalmers_cup", "strip_draw"] {
         let model = shipped::shipped(name, &[]);
-        let flat = State::flat(&model, mesh::nodes(&model));
+        let flat = State::initial(&model, mesh::nodes(&model));
         let before: f64 = flat.volume.iter().sum();
         let state = solver::run_from(&model, flat, &mut ()).end;
         let volumes = state.nodes.windows(2).zip(&state.thickness).map(|(ends, thickness)| {
@@ -107,7 +107,7 @@ fn all_iteration_matrices_find_the_same_state() {
     for name in ["woo_hemispherical", "stretch_thin", "osu_stretch_friction"] {
         let mut model = shipped::shipped(name, &[]);
         drive_to(&mut model, 15.0);
-        let start = solver::run_from(&model, State::flat(&model, mesh::nodes(&model)), &mut ()).end;
+        let start = solver::run_from(&model, State::initial(&model, mesh::nodes(&model)), &mut ()).end;
         let step = 0.05;
         drive_to(&mut model, 15.0 + step);
         let after = |iteration: Iteration| {

@@ -30,9 +30,7 @@ impl Line<'_> {
 
 /// Runs `work`; returns its result, whole or cut short, and the exception that cut it short.
 pub fn interruptible<R: Send>(
-    py: Python<'_>,
-    progress: Progress,
-    work: impl FnOnce(&Line<'_>) -> R + Send,
+    py: Python<'_>, progress: Progress, work: impl FnOnce(&Line<'_>) -> R + Send,
 ) -> (R, Option<PyErr>) {
     py.detach(|| {
         let stop = AtomicBool::new(false);

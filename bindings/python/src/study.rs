@@ -47,11 +47,7 @@ fn threads(given: Option<usize>) -> usize {
 /// Runs a study of a case: `sweep`, `search`, `scatter` or `fit`.
 #[pyfunction]
 pub fn study(
-    py: Python<'_>,
-    kind: &str,
-    case: PyRef<'_, Case>,
-    request: &str,
-    progress: Progress,
+    py: Python<'_>, kind: &str, case: PyRef<'_, Case>, request: &str, progress: Progress,
 ) -> PyResult<(String, Columns, Pictures, Option<PyErr>)> {
     let request: Request = serde_json::from_str(request).map_err(|error| PyValueError::new_err(error.to_string()))?;
     let base = case.base().map_err(|error| error::study(py, &error))?;
@@ -62,10 +58,7 @@ pub fn study(
 }
 
 fn run(
-    kind: &str,
-    base: BaseCase,
-    request: Request,
-    watch: &(dyn Watch + Sync),
+    kind: &str, base: BaseCase, request: Request, watch: &(dyn Watch + Sync),
 ) -> Result<(StudyReport, Option<RunTable>), StudyError> {
     let Request { vary, one_at_a_time, runs, seed, goal, side, condition, target, tolerance, to, threads: count } =
         request;
@@ -105,10 +98,7 @@ pub fn fit_law(py: Python<'_>, files: Vec<PathBuf>) -> PyResult<Results> {
 /// Compares cases, variants of the first and measured curves.
 #[pyfunction]
 pub fn compare(
-    py: Python<'_>,
-    cases: Vec<PyRef<'_, Case>>,
-    also: Vec<String>,
-    curves: Vec<PathBuf>,
+    py: Python<'_>, cases: Vec<PyRef<'_, Case>>, also: Vec<String>, curves: Vec<PathBuf>,
 ) -> PyResult<Results> {
     let wrong = |error: StudyError| error::study(py, &error);
     let mut candidates = Vec::new();

@@ -13,11 +13,7 @@ pub type Column<'py> = (String, &'static str, &'static str, Bound<'py, PyArray1<
 
 /// Column of a quantity of records.
 pub fn field<R>(
-    key: &'static str,
-    label: &'static str,
-    unit: Unit,
-    records: &[R],
-    value: impl Fn(&R) -> f64,
+    key: &'static str, label: &'static str, unit: Unit, records: &[R], value: impl Fn(&R) -> f64,
 ) -> NamedColumn {
     NamedColumn::new(key, label, unit, records.iter().map(value).collect())
 }

@@ -23,11 +23,7 @@ type TraceParts<'py> = (f64, f64, f64, Vec<HistoryParts<'py>>);
 /// Repeats a step, stage and number from 1, with each matrix: `all`, or their names; none for the case's own.
 #[pyfunction]
 pub fn trace<'py>(
-    py: Python<'py>,
-    case: PyRef<'py, Case>,
-    place: (usize, usize),
-    matrices: Vec<String>,
-    tolerance: Option<f64>,
+    py: Python<'py>, case: PyRef<'py, Case>, place: (usize, usize), matrices: Vec<String>, tolerance: Option<f64>,
     progress: Progress,
 ) -> PyResult<TraceParts<'py>> {
     let known = Iteration::ALL.map(Iteration::key);

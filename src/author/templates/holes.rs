@@ -7,9 +7,10 @@ use crate::measure::part_height;
 /// Half of the included angle of conical punches, 60° (ISO 16630, not read) \[rad\].
 const HALF: f64 = PI / 6.0;
 
-/// Cone from its apex, a corner and an upright wall down to a depth, as TOML; and the depth at which the wall begins \[mm\].
-fn cone(radius: f64, corner: f64, depth: f64) -> (String, f64) {
-    let (sin, cos) = HALF.sin_cos();
+/// Cone of an angle to the axis \[rad\] from its apex, a corner and an upright wall down to a depth, as TOML; and the depth at
+/// which the wall begins \[mm\].
+pub(super) fn cone(angle: f64, radius: f64, corner: f64, depth: f64) -> (String, f64) {
+    let (sin, cos) = angle.sin_cos();
     let upright = (corner + (radius - corner) * cos) / sin;
     let center = Point::new(radius - corner, -upright);
     let steps = [
@@ -71,7 +72,7 @@ pub(super) fn collar(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError
     let what = || format!("no hole is left for a collar {} high", plain(height));
     ensure(first >= t, what, "make --height or --shoulder smaller, or --radius larger")?;
     let values = |[hole, _]: [f64; 2]| {
-        let (cone, upright) = cone(radius, nose.value, 4.0 * height);
+        let (cone, upright) = cone(HALF, radius, nose.value, 4.0 * height);
         // Depth of its wall below where a punch is placed: a cone on the edge of the hole, others with their face on the sheet.
         let (punch, depth) = match shape {
             "conical" => (format!("profile = {cone}"), upright - hole / HALF.tan()),

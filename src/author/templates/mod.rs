@@ -18,6 +18,7 @@ mod inputs;
 mod sheet;
 mod sizes;
 mod strips;
+mod tubes;
 
 pub use crate::rules;
 pub use inputs::Choice;
@@ -59,26 +60,31 @@ struct Header {
 
 /// Every template.
 pub static TEMPLATES: LazyLock<Vec<Template>> = LazyLock::new(|| {
-    let files: [(&str, &str, Sizes); 14] = [
+    let files: [(&str, &str, Sizes); 17] = [
         ("cup", include_str!("cup.toml"), cup::cup::<1>),
+        ("redraw", include_str!("redraw.toml"), cup::cup::<2>),
         ("hemispherical-cup", include_str!("hemispherical_cup.toml"), cups::hemispherical),
         ("conical-cup", include_str!("conical_cup.toml"), cups::conical),
-        ("redraw", include_str!("redraw.toml"), cup::cup::<2>),
         ("stretch-dome", include_str!("stretch_dome.toml"), clamped::stretch_dome),
         ("bulge", include_str!("bulge.toml"), clamped::bulge),
         ("erichsen", include_str!("erichsen.toml"), clamped::erichsen),
         ("hole-expansion", include_str!("hole_expansion.toml"), holes::hole_expansion),
         ("collar", include_str!("collar.toml"), holes::collar),
+        ("tube-end", include_str!("tube_end.toml"), tubes::end),
+        ("tube-inversion", include_str!("tube_inversion.toml"), tubes::inversion),
+        ("tube-bulge", include_str!("tube_bulge.toml"), tubes::bulge),
         ("hat-section", include_str!("hat_section.toml"), strips::hat_section),
         ("box-section", include_str!("box_section.toml"), strips::box_section),
         ("joggle", include_str!("joggle.toml"), strips::joggle),
         ("v-bend", include_str!("v_bend.toml"), strips::v_bend),
         ("u-bend", include_str!("u_bend.toml"), strips::u_bend),
     ];
+    // A case of the kind before it has no text of its own.
+    let mut before = "";
     let template = |(name, file, sizes): (&'static str, &'static str, Sizes)| {
         let (Header { about, inputs }, text) = header(file);
-        // A redraw is a cup of two draws at least.
-        let text = if text.is_empty() { header(files[0].1).1 } else { text };
+        let text = if text.is_empty() { before } else { text };
+        before = text;
         Template { name, about, own: inputs, text, sizes }
     };
     files.map(template).into()

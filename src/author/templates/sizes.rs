@@ -78,11 +78,7 @@ pub(super) fn ensure(fits: bool, what: impl FnOnce() -> String, help: &str) -> R
 /// Draw ratio of the blank for a part of this height; above a limit, which is `of` something, an error with the largest
 /// height above `least` that is within it.
 pub(super) fn draw_ratio(
-    blank_for: impl Fn(f64) -> f64,
-    [least, height]: [f64; 2],
-    punch: f64,
-    (limit, of): (f64, &str),
-    or: &str,
+    blank_for: impl Fn(f64) -> f64, [least, height]: [f64; 2], punch: f64, (limit, of): (f64, &str), or: &str,
 ) -> Result<f64, CaseError> {
     let ratio = |height: f64| blank_for(height) / punch;
     let wanted = ratio(height);

@@ -13,10 +13,7 @@ const CORRECTED: &str = "as runs of this case need";
 ///
 /// A case that does not run to its end keeps the first sizes.
 pub(super) fn corrected(
-    template: &str,
-    stages: usize,
-    first: [f64; 2],
-    values: impl Fn([f64; 2]) -> Result<Values, CaseError>,
+    template: &str, stages: usize, first: [f64; 2], values: impl Fn([f64; 2]) -> Result<Values, CaseError>,
     misses: impl Fn(&Frame) -> Option<[f64; 2]>,
 ) -> Result<Values, CaseError> {
     let mut sizes = first;

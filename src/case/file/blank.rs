@@ -1,9 +1,10 @@
 //! `[blank]`.
 
+use super::section::Section;
 use super::*;
 use crate::model::{Grading, ThicknessRule};
 
-/// Flat sheet before forming.
+/// Sheet before forming: flat, a tube, or of any meridian.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Blank {
@@ -17,6 +18,17 @@ pub struct Blank {
     hole: Option<Positive<Length>>,
     /// Diameter of the hole, instead of `hole`.
     hole_diameter: Option<Positive<Length>>,
+    /// Tube around the axis, instead of a flat blank: from z = 0 down.
+    tube: Option<Tube>,
+    /// Meridian of the mid-surface, instead of a flat blank: lines and arcs, or the name of a CSV file as of a tool's profile. It
+    /// begins nearer the axis, or above where the sheet stands upright; the die's side is on its left.
+    profile: Option<Section>,
+    /// Support of its first end where that is not on the axis.
+    #[serde(default)]
+    #[schemars(extend("default" = "free"))]
+    inner_edge: Edge,
+    /// Feed of the outer edge upward over time, rising from 0 mm at 0 s, as of a tube that is bulged; it takes the place of a punch.
+    pub feed: Option<Vec<(NonNegative<Time>, NonNegative<Length>)>>,
     /// Expansion that the edge of the hole bears, measured, for the verdict.
     edge_limit: Option<model::EdgeLimit>,
     /// Length of the part across the section (plane strain): forces and works are then of the whole part, else per mm of it.
@@ -42,6 +54,16 @@ pub struct Blank {
     #[serde(default)]
     #[schemars(extend("default" = "free"))]
     edge: Edge,
+}
+
+/// Tube, by the sizes that it is ordered by.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct Tube {
+    /// Outside diameter.
+    diameter: Positive<Length>,
+    /// Length along the axis; half of it where its first end is its middle, with inner_edge = "guided".
+    length: Positive<Length>,
 }
 
 /// Thicknesses of sheet, foil to plate \[mm\].
@@ -80,9 +102,13 @@ impl CaseFile {
 
     pub fn blank(&self, source: &Source) -> Result<model::Blank> {
         let file = &self.blank;
-        let (keys, lengths) = (["radius", "diameter", "half_length"], [file.radius, file.diameter, file.half_length]);
-        let (key, length) = radius_of(source, "blank", self.geometry, keys, lengths)?;
         let thickness = file.thickness.value();
+        let meridian = self.meridian(source)?;
+        let (keys, lengths) = (["radius", "diameter", "half_length"], [file.radius, file.diameter, file.half_length]);
+        let (key, length) = match &meridian {
+            Some((key, meridian)) => (*key, meridian.length()),
+            None => radius_of(source, "blank", self.geometry, keys, lengths)?,
+        };
         let (long, thick) = (rounded(length), rounded(thickness));
         let what = format!("`thickness` must lie between 0.001 and 50 mm, found {thick} mm");
         let help = "check the unit: sheet is 0.1 to 10 mm thick";
@@ -94,7 +120,9 @@ impl CaseFile {
         let help = "shells are at least five thicknesses long: check the units";
         source.require(length >= SLENDER * thickness, "blank.thickness", what, help)?;
         let holes = [file.hole, file.hole_diameter, None];
-        let hole = if holes.iter().any(Option::is_some) {
+        let hole = if let Some((_, meridian)) = &meridian {
+            meridian.first().x
+        } else if holes.iter().any(Option::is_some) {
             let (key, hole) = radius_of(source, "blank", self.geometry, ["hole", "hole_diameter", "radius"], holes)?;
             let room = length - SLENDER * thickness;
             let what = format!("a hole of {} mm radius does not fit the blank of {long} mm", rounded(hole));
@@ -115,7 +143,38 @@ impl CaseFile {
             count(source, "blank.layers", file.layers.unwrap_or(usual), 3..=101)?
         };
         let elements = count(source, "blank.elements", file.elements.unwrap_or(100), 2..=2000)?;
-        let Blank { grading, theory, edge, edge_limit, .. } = *file;
-        Ok(model::Blank { length, hole, edge_limit, thickness, elements, grading, theory, layers, rule, edge })
+        let Blank { grading, theory, inner_edge, edge_limit, .. } = *file;
+        let edge = if file.feed.is_some() { Edge::Fed } else { file.edge };
+        let meridian = meridian.map(|(_, meridian)| meridian);
+        let blank =
+            model::Blank { hole, meridian, inner_edge, edge_limit, elements, ..model::Blank::new(length, thickness) };
+        Ok(model::Blank { grading, theory, layers, rule, edge, ..blank })
+    }
+
+    /// Meridian of a sheet that is not flat, and its key.
+    fn meridian(&self, source: &Source) -> Result<Option<(&'static str, Profile)>> {
+        let keys = ["tube", "profile", "radius", "diameter", "half_length"];
+        let blank = &self.blank;
+        let (key, meridian) = match (&blank.tube, &blank.profile) {
+            (None, None) => return Ok(None),
+            (Some(tube), _) => {
+                let (thickness, across) = (blank.thickness.value(), tube.diameter.value());
+                let (radius, what) = (0.5 * (across - thickness), "a tube is axisymmetric, and wider than two walls");
+                let fits = self.geometry == Geometry::Axisymmetric && radius > 0.5 * thickness;
+                source.require(
+                    fits,
+                    "blank.tube",
+                    what,
+                    "check diameter and thickness, or draw the sheet as `profile`",
+                )?;
+                let line = Piece::line(Point::new(radius, 0.0), Point::new(radius, -tube.length.value()));
+                ("tube", Profile::new(vec![line]).expect("a line with a length"))
+            }
+            (_, Some(profile)) => ("profile", profile.drawn("blank.profile", ("sheet", self.geometry), source)?),
+        };
+        source.one_of("blank", &keys, "a tube and a profile are the whole sheet: keep one")?;
+        let what = "belongs to a flat blank";
+        source.refuse("blank", &["hole", "hole_diameter"], what, "let the profile begin at the hole's edge")?;
+        Ok(Some((key, meridian)))
     }
 }

@@ -87,11 +87,7 @@ fn force_curve(path: &str, force: Option<&Force>, extent: Extent, source: &Sourc
 }
 
 fn pressed(
-    table: &str,
-    spring: Option<Spring>,
-    force: Option<PiecewiseLinear>,
-    extent: Extent,
-    source: &Source,
+    table: &str, spring: Option<Spring>, force: Option<PiecewiseLinear>, extent: Extent, source: &Source,
 ) -> Result<Motion> {
     let press = match spring {
         Some(Spring { preload, stiffness }) => Press {

@@ -50,6 +50,13 @@ pub fn travel_key(source: &Source) -> &'static str {
 
 impl CaseFile {
     pub fn drive(&self, length: f64, source: &Source) -> Result<Drive> {
+        if let Some(feed) = &self.blank.feed {
+            let what = "the edge is fed and a punch drives";
+            source.require(self.tools.punch.is_none(), "blank.feed", what, "keep one")?;
+            let help = "drop it: the feed says how long it takes";
+            source.refuse("gas", &["duration"], "and a feed are both given", help)?;
+            return driven_by(feed, "blank.feed", source);
+        }
         let Some(punch) = &self.tools.punch else {
             let gas = self.gas.as_ref().ok_or_else(|| source.missing("tools", "punch"))?;
             let duration = gas.duration.ok_or_else(|| source.missing("gas", "duration"))?.value();
@@ -68,31 +75,32 @@ impl CaseFile {
         };
         let help = "drop it: the motion says travel and speed";
         source.refuse("tools.punch", &["speed", "travel"], "and `motion` are both given", help)?;
-        Ok(Drive::of(history(points, source)?))
+        driven_by(points, "tools.punch.motion", source)
     }
 }
 
-fn history(points: &[(NonNegative<Time>, NonNegative<Length>)], source: &Source) -> Result<PiecewiseLinear> {
-    const PATH: &str = "tools.punch.motion";
+/// Drive by a travel over time, written at a key.
+fn driven_by(points: &[(NonNegative<Time>, NonNegative<Length>)], path: &str, source: &Source) -> Result<Drive> {
+    let key = path.rsplit('.').next().unwrap_or(path);
     let points: Vec<(f64, f64)> = points.iter().map(|(time, travel)| (time.value(), travel.value())).collect();
     let [first, .., last] = points.as_slice() else {
-        let what = format!("`motion` needs at least two points, found {}", points.len());
-        return Err(source.error(PATH, what, "write [[\"0 s\", \"0 mm\"], [\"5 s\", \"20 mm\"]], or travel and speed"));
+        let what = format!("`{key}` needs at least two points, found {}", points.len());
+        return Err(source.error(path, what, "write [[\"0 s\", \"0 mm\"], [\"5 s\", \"20 mm\"]], or travel and speed"));
     };
-    let what = format!("`motion` must begin with 0 mm at 0 s, found {} mm at {} s", rounded(first.1), rounded(first.0));
+    let what = format!("`{key}` must begin with 0 mm at 0 s, found {} mm at {} s", rounded(first.1), rounded(first.0));
     let help = "the punch begins where it touches the flat sheet";
-    source.require(*first == (0.0, 0.0), &format!("{PATH}.0"), what, help)?;
+    source.require(*first == (0.0, 0.0), &format!("{path}.0"), what, help)?;
     for (i, w) in points.windows(2).enumerate() {
         for (unit, from, to, whole) in [("s", w[0].0, w[1].0, last.0), ("mm", w[0].1, w[1].1, last.1)] {
             let (before, after) = (rounded(from), rounded(to));
             let what = format!(
-                "`motion` must rise by a millionth of the whole or more, found {after} {unit} after {before} {unit}"
+                "`{key}` must rise by a millionth of the whole or more, found {after} {unit} after {before} {unit}"
             );
             let help = "the punch neither rests nor returns: sort the points, and let it move from each to the next";
-            source.require(to - from >= CLOSEST * whole && to > from, &format!("{PATH}.{}", i + 1), what, help)?;
+            source.require(to - from >= CLOSEST * whole && to > from, &format!("{path}.{}", i + 1), what, help)?;
         }
     }
-    Ok(PiecewiseLinear::new(points).expect("checked above"))
+    Ok(Drive::of(PiecewiseLinear::new(points).expect("checked above")))
 }
 
 pub fn check_settings(settings: &Settings, source: &Source) -> Result<()> {

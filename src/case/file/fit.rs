@@ -22,6 +22,9 @@ pub fn check(model: &Model, source: &Source) -> Result<()> {
     source.require(model.travel <= DEEPEST * length, travel_key, what, "check the unit")?;
     let what = format!("a travel of {travel} mm is next to nothing for a sheet of {t} mm");
     source.require(punch.is_none() || model.travel >= SHALLOWEST * t, travel_key, what, "check the unit")?;
+    if model.blank.meridian.is_some() {
+        return Ok(());
+    }
     let Some(die) = model.tool(Role::Die) else {
         return if model.blank.edge == Edge::Free { Err(source.missing("tools", "die")) } else { Ok(()) };
     };

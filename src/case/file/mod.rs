@@ -130,7 +130,9 @@ impl CaseFile {
         let (written, travel) = (&self.tools, drive.travel);
         let context = ToolContext { written, standing: &[], blank: &blank, extent, travel, source };
         let tools = context.tools(&Frictions::new(self))?;
-        let gas = self.gas.as_ref().map(|gas| gas.model(&tools, blank.length, source)).transpose()?;
+        // A sheet that is not flat is sealed at its ends, however far it bulges.
+        let sealed = if blank.meridian.is_some() { blank.reach() + blank.length } else { blank.length };
+        let gas = self.gas.as_ref().map(|gas| gas.model(&tools, sealed, source)).transpose()?;
         let heat = self.heat.as_ref().map(|heat| heat.model(&tools, source)).transpose()?;
         if heat.is_none() && (material.thermal.is_some() || material.hardening.temperatures().is_some()) {
             source.note("without [heat] the sheet is at 20 °C throughout");

@@ -35,15 +35,10 @@ struct Row {
 
 /// Reads `file`, named at the key `key`; `radius` \[mm\] is the fillet of the points that have none of their own.
 pub fn convert(
-    file: &str,
-    key: &str,
-    radius: Option<f64>,
-    role: Role,
-    context: &ToolContext,
+    file: &str, key: &str, radius: Option<f64>, (name, geometry): (&str, Geometry), source: &Source,
 ) -> Result<(Profile, Points)> {
-    let source = context.source;
     let (text, csv) = Named { file, what: "profile", example: EXAMPLE, key }.open(source)?;
-    let rows = distinct(read(&text, &csv, context.extent.geometry())?, file, source);
+    let rows = distinct(read(&text, &csv, geometry)?, file, source);
     let [first, .., last] = &rows[..] else {
         let what = format!("a profile needs at least two points, found {}", rows.len());
         return Err(text.error(rows.first().map_or(1, |row| row.line), what, EXAMPLE));
@@ -59,7 +54,7 @@ pub fn convert(
     let points: Vec<Point> = rows.iter().map(|row| row.point).collect();
     let chords = points.windows(2).map(|w| Piece::line(w[0], w[1])).collect();
     let chords = Profile::new(chords).expect("distinct points in a row are a chain");
-    source.note(format!("the {}'s profile is read from {file}: {} points", role.name(), rows.len()));
+    source.note(format!("the {name}'s profile is read from {file}: {} points", rows.len()));
     let profile = if radius.is_some() || rows.iter().any(|row| row.radius.is_some()) {
         let radii: Vec<f64> = rows.iter().map(|row| row.radius.or(radius).unwrap_or(0.0)).collect();
         let pieces = fillet(&points, &radii).map_err(|FilletTooLarge { vertex, at, radius, largest }| {

@@ -3,12 +3,15 @@
 use super::*;
 use super::{counter::Counter, points::Points};
 use crate::geometry::{Arc, Fold, with_radius};
+use crate::model::tool_sizes::met;
 
 /// Largest move of an arc's centre onto the bisector of its ends \[mm\]: drawings are rounded.
 const ROUNDED: f64 = 0.01;
 /// Largest turn of one arc \[rad\]: half a circle, and round-off.
 const HALF_TURN: f64 = std::f64::consts::PI + 1e-6;
 const PLACES: usize = 400;
+/// Depth of a tool in a drawn sheet over half the thickness that is taken for round-off \[–\].
+const LIES: f64 = 0.02;
 
 /// Section of a tool, the sheet on the left as one goes along it: steps, the name of a CSV file with points, or a table.
 ///
@@ -88,6 +91,17 @@ untagged!(
 );
 
 impl Section {
+    /// Chain as it is drawn, of a tool or a sheet with this name.
+    pub fn drawn(&self, path: &str, of: (&str, Geometry), source: &Source) -> Result<Profile> {
+        match self {
+            Self::Steps(list) => steps(list, path, source),
+            Self::File(file) => Ok(points::convert(file, path, None, of, source)?.0),
+            Self::Table(_) => {
+                Err(source.error(path, "a sheet follows no tool", "write steps, or the name of a CSV file"))
+            }
+        }
+    }
+
     pub fn placed(&self, role: Role, context: &ToolContext) -> Result<Profile> {
         let (path, source) = (format!("tools.{}.profile", role.name()), context.source);
         let alone = |kind: &str, others: &[&str]| {
@@ -95,7 +109,8 @@ impl Section {
         };
         let counter = |of| Counter { role, of, path: path.clone(), context };
         let from_file = |file: &str, key: &str, fillet: Option<f64>| {
-            let (profile, points) = points::convert(file, key, fillet, role, context)?;
+            let (profile, points) =
+                points::convert(file, key, fillet, (role.name(), context.extent.geometry()), source)?;
             Ok::<_, CaseError>((profile, Origin::Points(points)))
         };
         let (profile, origin) = match self {
@@ -225,6 +240,9 @@ impl Drawn {
 
     /// Section where it touches the flat sheet, the sheet on its left, and its move along z \[mm\].
     pub fn placed(self, role: Role, context: &ToolContext) -> Result<(Profile, f64)> {
+        if context.blank.meridian.is_some() {
+            return Ok((self.profile, 0.0));
+        }
         let (length, name, source) = (context.blank.length, role.name(), context.source);
         let side = role.side();
         let Some(first) = self.profile.extreme(side < 0.0, context.blank.ends()) else {
@@ -261,5 +279,26 @@ impl Drawn {
             return Err(self.error(piece_at(at), source, what, help));
         }
         Ok((profile, shift))
+    }
+}
+
+impl ToolContext<'_> {
+    /// Section of a new tool, where it touches the flat sheet. Beside a sheet that is not flat tools stand where they are drawn,
+    /// and the punch is brought along z until it touches it.
+    pub fn new_profile(&self, role: Role) -> Result<Profile> {
+        let drawn = self.drawn_profile(role)?;
+        if self.blank.meridian.is_none() || !self.standing.is_empty() {
+            return Ok(drawn);
+        }
+        let half = 0.5 * self.blank.thickness;
+        let sheet: Vec<_> = self.blank.places(PLACES).map(|place| (place, half)).collect();
+        if role == Role::Punch {
+            return Ok(drawn.shifted(met(&drawn, role.side(), &sheet, [self.blank.thickness, 0.0])));
+        }
+        let inside = |(at, half): &&(Point, f64)| drawn.closest(*at).distance < half * (1.0 - LIES);
+        let Some((at, _)) = sheet.iter().find(inside) else { return Ok(drawn) };
+        let what = format!("the {} cuts into the sheet at {}", role.name(), place_of(*at));
+        let help = "it stands where it is drawn, beside `blank.profile`: the sheet lies on the left of its line";
+        Err(self.source.error(&format!("tools.{}", role.name()), what, help))
     }
 }

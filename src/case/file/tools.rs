@@ -236,7 +236,7 @@ impl ToolContext<'_> {
         Ok(self.standing.iter().find(|tool| tool.role == role).map(|tool| tool.profile.clone()))
     }
 
-    pub fn new_profile(&self, role: Role) -> Result<Profile> {
+    pub fn drawn_profile(&self, role: Role) -> Result<Profile> {
         if let Some(ToolKeys { profile: Some(profile), shapes, .. }) = self.keys(role) {
             let table = format!("tools.{}", role.name());
             let shape = self.source.written(&table, shapes).first().copied().unwrap_or("");

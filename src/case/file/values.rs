@@ -84,11 +84,7 @@ untagged!(
 impl<X: Dimensioned, V: Copy> History<X, V> {
     /// Curve with rising x, which error messages call `axis`; `value` converts at a key path.
     pub fn curve(
-        &self,
-        path: &str,
-        axis: &str,
-        source: &Source,
-        value: impl Fn(V, &str) -> Result<f64>,
+        &self, path: &str, axis: &str, source: &Source, value: impl Fn(V, &str) -> Result<f64>,
     ) -> Result<PiecewiseLinear> {
         let points = match self {
             Self::Constant(constant) => return Ok(value(*constant, path)?.into()),
@@ -180,11 +176,7 @@ impl<W: Dimensioned, P: Dimensioned> Extensive<W, P> {
 /// Distance from the axis or symmetry plane \[mm\], and the key that gives it. The keys and their lengths are radius and
 /// diameter of a round part, and the half-width in plane strain.
 pub fn radius_of(
-    source: &Source,
-    table: &str,
-    geometry: Geometry,
-    keys: [&'static str; 3],
-    lengths: [Option<Positive<Length>>; 3],
+    source: &Source, table: &str, geometry: Geometry, keys: [&'static str; 3], lengths: [Option<Positive<Length>>; 3],
 ) -> Result<(&'static str, f64)> {
     let (name, other, own, mut foreign) = match geometry {
         Geometry::Axisymmetric => ("axisymmetric", "plane-strain", 0, 2..3),

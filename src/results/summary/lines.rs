@@ -253,7 +253,7 @@ fn as_begun(run: &StageSolution) -> StepRecord {
     StepRecord {
         thinnest: thinnest.map_or(blank.thickness, |element| element.thickness),
         thinnest_s0: thinnest.map_or(0.0, |element| element.s0),
-        draw_in: nodes.last().map_or(0.0, |node| blank.length - node.r),
+        draw_in: nodes.last().map_or(0.0, |node| blank.edge_radius() - node.r),
         pole_height: nodes.first().map_or(0.0, |node| node.z),
         ..StepRecord::default()
     }

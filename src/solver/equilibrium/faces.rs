@@ -25,7 +25,7 @@ fn shell(geometry: Geometry, thickness: f64) -> Model {
 
 fn curved(model: &Model) -> State {
     let angle = |i: usize| SWEEP * i as f64 / ELEMENTS as f64;
-    let mut state = State::flat(model, (0..=ELEMENTS).map(|i| RADIUS * angle(i)).collect());
+    let mut state = State::initial(model, (0..=ELEMENTS).map(|i| RADIUS * angle(i)).collect());
     for (i, node) in state.nodes.iter_mut().enumerate() {
         *node = [RADIUS * angle(i).sin(), RADIUS * angle(i).cos(), -angle(i)];
     }

@@ -24,9 +24,7 @@ pub const NEWTON: Linearisation =
 
 /// Calls `test` with the second step of a run from `state` and a predicted trial.
 pub fn with_step<T>(
-    model: &Model,
-    state: &State,
-    (dt, from_rest): (f64, bool),
+    model: &Model, state: &State, (dt, from_rest): (f64, bool),
     test: impl FnOnce(&Step, &mut Trial, &mut Evaluation) -> T,
 ) -> T {
     let context = RunContext::new(model);

@@ -66,6 +66,8 @@ pub struct StageSolution {
     pub start: Option<Frame>,
     /// Accepted steps.
     pub steps: Vec<StepRecord>,
+    /// Force along z of every tool on the sheet at each of the steps \[N, or N/mm of depth\].
+    pub tool_forces: Vec<Vec<f64>>,
     /// Kept frames in the order of time; only the last one has thickness points.
     pub frames: Vec<Frame>,
     /// Strain paths; empty without a forming limit.
@@ -107,6 +109,7 @@ impl StageSolution {
         Self {
             start: None,
             steps: Vec::new(),
+            tool_forces: Vec::new(),
             frames: Vec::new(),
             paths: Paths::default(),
             neck: None,

@@ -1,6 +1,7 @@
 //! Record of every step: forces, work, shares and measures of the solution's quality.
 
 use super::{Energy, Heat};
+use crate::model::Blank;
 use crate::model::{PressureCap, Role};
 
 /// One accepted step; forces, works and heat are of the whole section, as [`Extent`](crate::model::Extent) has it.
@@ -105,6 +106,17 @@ pub struct StepRecord {
 }
 
 impl StepRecord {
+    /// Diameter of the edge that may be widened \[mm\]: clear, of a hole; of the mid-surface, at the end of a sheet that is not flat.
+    pub fn edge_diameter(&self, blank: &Blank) -> f64 {
+        if blank.meridian.is_some() { 2.0 * (blank.edge_radius() - self.draw_in) } else { self.hole }
+    }
+
+    /// Its expansion \[–\].
+    pub fn edge_expansion(&self, blank: &Blank) -> f64 {
+        let before = if blank.meridian.is_some() { blank.edge_radius() } else { blank.hole };
+        self.edge_diameter(blank) / (2.0 * before) - 1.0
+    }
+
     /// Width of the rim over the initial thickness \[–\].
     pub const RIM: f64 = 3.0;
 }

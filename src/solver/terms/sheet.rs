@@ -40,13 +40,8 @@ pub fn add(step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluat
 }
 
 fn add_elements<L: PointLaw>(
-    step: &Step,
-    law: &L,
-    points: &Grid<L::PointState>,
-    iterates: &mut Grid<L::Iterate>,
-    (moves, (slack_tension, last_move)): (&[Node], (f64, f64)),
-    at: &Linearisation,
-    out: &mut Evaluation,
+    step: &Step, law: &L, points: &Grid<L::PointState>, iterates: &mut Grid<L::Iterate>,
+    (moves, (slack_tension, last_move)): (&[Node], (f64, f64)), at: &Linearisation, out: &mut Evaluation,
 ) -> bool {
     let section = Section { law, rule: &step.context.rule, slack_tension, last_move, forces_alone: at.residual_alone };
     for e in 0..step.references.len() {

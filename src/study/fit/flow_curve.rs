@@ -163,11 +163,7 @@ fn r_value(points: Vec<[f64; 2]>) -> Option<(f64, f64)> {
 
 /// Reads and reduces tests, maybe with a strain rate \[1/s\] and an angle to the rolling direction \[°\] of each.
 pub fn flow_curves(
-    tests: &[PathBuf],
-    reduction: &Reduction,
-    rates: &[f64],
-    directions: &[f64],
-    watch: &dyn Watch,
+    tests: &[PathBuf], reduction: &Reduction, rates: &[f64], directions: &[f64], watch: &dyn Watch,
 ) -> Result<Vec<FlowCurve>> {
     for (option, own) in [("--rate", rates.len()), ("--direction", directions.len())] {
         let what = format!("{option} has {own} values for {} tests", tests.len());

@@ -37,10 +37,7 @@ pub struct Estimate {
 
 /// Estimates of named parameters with units at a minimum. Weighted residuals have a variance of 1 at least.
 fn estimates<'a>(
-    names: impl Iterator<Item = (&'a str, &'a str)>,
-    parameters: &[Parameter],
-    minimum: &Minimum,
-    is_weighted: bool,
+    names: impl Iterator<Item = (&'a str, &'a str)>, parameters: &[Parameter], minimum: &Minimum, is_weighted: bool,
 ) -> Vec<Estimate> {
     let covariance = minimum.covariance(minimum.variance().max(f64::from(is_weighted)));
     let one = |(j, (key, unit)): (usize, (&str, &str))| Estimate {

@@ -33,13 +33,13 @@ pub use stampflow::model::{
     Bead, Blank, Edge, Extent, Face, Friction, Gas, Geometry, Grading, Heat, HeatFlow, Iteration,
 };
 pub use stampflow::model::{Mode, Model, Motion, Press, Pressure, RateControl, Role, Settings, Theory, ThicknessRule};
-pub use stampflow::model::{Tool, ToolHeat, mesh};
+pub use stampflow::model::{Tool, ToolHeat};
 pub use stampflow::numerics::quadrature::{ThicknessPoint, lobatto, midpoint};
 pub use stampflow::numerics::{PiecewiseLinear, bisect};
 pub use stampflow::results::{Make, OUTPUTS, comparison::Computed, tables};
 pub use stampflow::solver::solution::{ElementRecord, Frame, IterationRecord, NodeRecord, PointRecord, StageSolution};
 pub use stampflow::solver::solution::{StepRecord, StopKind, ThroughThickness};
-pub use stampflow::solver::{self, enter, run};
+pub use stampflow::solver::{self, enter, mesh, run};
 pub use stampflow::study::fit::{FlowCurve, HardeningKind, Reduction, fit_laws};
 pub use stampflow::study::{
     BaseCase, Bracket, Evaluation, LimitSearch, RunTable, SearchRequest, Shard, Study, StudyError,

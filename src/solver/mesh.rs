@@ -86,6 +86,9 @@ fn graded(model: &Model, n: usize, zones: &[Zone]) -> Vec<f64> {
 
 fn zones(model: &Model) -> Vec<Zone> {
     let length = model.blank.length;
+    if model.blank.meridian.is_some() {
+        return Vec::new();
+    }
     // Largest draw-in \[mm\].
     let drawn_in = model.travel * if model.geometry == Geometry::Axisymmetric { 0.6 } else { 1.0 };
     let mut zones = Vec::new();
@@ -104,7 +107,7 @@ fn zones(model: &Model) -> Vec<Zone> {
                     Zone { from: inner, to: length.min(outer + drawn_in), size }
                 }
                 Role::Die => Zone { from: inner - arc, to: outer + arc, size },
-                Role::Holder | Role::Pad => continue,
+                _ => continue,
             };
             if zone.from < length {
                 zones.push(zone);

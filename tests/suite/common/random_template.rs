@@ -1,0 +1,44 @@
+//! Random tubes, holes, pads and reverse redraws: templates with random sizes, made from a seed.
+
+use super::random_die::between;
+use fastrand::Rng;
+use stampflow::{author::templates::find, case, model::Stage};
+
+/// Templates with the ranges of their sizes \[mm\].
+pub const KINDS: [(&str, &[(&str, f64, f64)]); 7] = [
+    ("tube-end", &[("tube", 8.0, 60.0), ("length", 60.0, 200.0), ("end", 8.0, 80.0), ("land", 2.0, 20.0)]),
+    ("tube-inversion", &[("tube", 10.0, 80.0), ("length", 60.0, 200.0), ("travel", 10.0, 60.0)]),
+    ("tube-bulge", &[("tube", 20.0, 60.0), ("bulge", 25.0, 80.0), ("width", 30.0, 120.0), ("feed", 2.0, 15.0)]),
+    ("collar", &[("radius", 6.0, 40.0), ("height", 4.0, 20.0)]),
+    ("hole-expansion", &[("hole", 3.0, 9.0), ("travel", 4.0, 20.0)]),
+    ("u-bend", &[("half-width", 10.0, 60.0)]),
+    ("redraw", &[("punch-radius", 20.0, 40.0), ("height", 30.0, 70.0)]),
+];
+const ELASTIC: [&str; 3] =
+    ["material.mode=\"elasto_viscoplastic\"", "material.young=\"206 GPa\"", "material.poisson=0.3"];
+
+/// Stages that belong to `seed`, their template and its options. Sizes that do not fit each other are drawn again.
+pub fn random_template(seed: u64, elastic: bool) -> (String, Vec<Stage>, String) {
+    let rng = &mut Rng::with_seed(seed ^ 0x7e3);
+    loop {
+        let (kind, sizes) = KINDS[rng.usize(0..KINDS.len())];
+        let mut given = vec![("friction", format!("{:.3}", between(rng, 0.0, 0.15)))];
+        given.push(("k", format!("{:.0} MPa", between(rng, 150.0, 1000.0))));
+        given.push(("n", format!("{:.3}", between(rng, 0.05, 0.4))));
+        for (key, low, high) in [("thickness", 0.5, 3.0)].iter().chain(sizes) {
+            given.push((key, format!("{:.2} mm", between(rng, *low, *high))));
+        }
+        match kind {
+            "tube-end" => given.push(("angle", format!("{:.1} deg", between(rng, 8.0, 45.0)))),
+            "u-bend" => given.push(("pad-pressure", format!("{:.2} MPa", between(rng, 0.1, 4.0)))),
+            "redraw" => given.push(("reverse", "yes".into())),
+            _ => {}
+        }
+        let given: Vec<(&str, &str)> = given.iter().map(|(key, value)| (*key, value.as_str())).collect();
+        let Ok(text) = find(kind).and_then(|template| template.fill(&given)) else { continue };
+        let overrides = if elastic && kind != "u-bend" { ELASTIC.map(String::from).to_vec() } else { Vec::new() };
+        let case =
+            case::parse(&text, "case.toml", &overrides).unwrap_or_else(|error| panic!("{kind} {given:?}: {error}"));
+        return (kind.into(), case.stages, format!("{given:?}"));
+    }
+}
