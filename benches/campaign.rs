@@ -6,7 +6,7 @@
 
 #[path = "../tests/suite/common/random_die.rs"]
 mod random_die;
-#[path = "../tests/suite/common/random_template.rs"]
+#[path = "common/random_template.rs"]
 mod random_template;
 #[path = "../tests/suite/common/random_work.rs"]
 mod random_work;

@@ -19,8 +19,7 @@ fn the_tools_of_every_stage_hold_the_sheet_in_balance() {
             }
             let largest = stage.tool_forces.iter().flatten().map(|force| force.abs()).fold(0.0, f64::max);
             for (step, forces) in stage.steps.iter().zip(&stage.tool_forces) {
-                let sum: f64 = forces.iter().sum();
-                let at = (&model.title, i, step.travel);
+                let (sum, at) = (forces.iter().sum::<f64>(), (&model.title, i, step.travel));
                 assert!(sum.abs() <= 1e-3 * largest, "{at:?}: {sum} of {largest}");
                 judged += 1;
             }

@@ -9,6 +9,7 @@ pub mod page;
 pub mod prelude;
 #[allow(dead_code, reason = "the benchmark of the campaign also prints the process")]
 pub mod random_die;
+#[path = "../../../benches/common/random_template.rs"]
 pub mod random_template;
 #[allow(dead_code, reason = "the benchmark of the campaign also prints the kind")]
 pub mod random_work;

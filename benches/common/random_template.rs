@@ -4,8 +4,10 @@ use super::random_die::between;
 use fastrand::Rng;
 use stampflow::{author::templates::find, case, model::Stage};
 
-/// Templates with the ranges of their sizes \[mm\].
-pub const KINDS: [(&str, &[(&str, f64, f64)]); 7] = [
+/// Template and the ranges of its sizes \[mm\].
+type Kind = (&'static str, &'static [(&'static str, f64, f64)]);
+
+pub const KINDS: [Kind; 7] = [
     ("tube-end", &[("tube", 8.0, 60.0), ("length", 60.0, 200.0), ("end", 8.0, 80.0), ("land", 2.0, 20.0)]),
     ("tube-inversion", &[("tube", 10.0, 80.0), ("length", 60.0, 200.0), ("travel", 10.0, 60.0)]),
     ("tube-bulge", &[("tube", 20.0, 60.0), ("bulge", 25.0, 80.0), ("width", 30.0, 120.0), ("feed", 2.0, 15.0)]),
