@@ -62,6 +62,10 @@ fn blank(model: &Model) -> Vec<Line> {
         Geometry::Axisymmetric => ("axisymmetric", String::new()),
         Geometry::PlaneStrain => ("plane strain", format!("half length, {} in all", Amount::set(2.0 * blank.length))),
     };
+    let (radius, meaning) = match blank.meridian {
+        None => (blank.length, meaning),
+        Some(_) => (blank.reach() + 0.5 * blank.thickness, format!("outside, {} along it", Amount::set(blank.length))),
+    };
     let volume = extent.times() * blank.area(extent.geometry()) * blank.thickness;
     let (unit, times) = if extent == Extent::PerDepth { (Unit::Mm2, "times the depth") } else { (Unit::Mm3, "") };
     let theory = match blank.theory {
@@ -70,7 +74,7 @@ fn blank(model: &Model) -> Vec<Line> {
     };
     let mut lines = vec![
         line("geometry", format!("{geometry}; {}", extent.described()), ""),
-        line("blank", size_of(model, blank.length, Amount::set), meaning),
+        line("blank", size_of(model, radius, Amount::set), meaning),
         number("thickness", Amount::size(blank.thickness), ""),
         number("volume", Amount::new(volume, unit, Digits::Significant(3)), times),
         line("theory", theory, ""),

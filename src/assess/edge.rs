@@ -32,7 +32,8 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let instant = instant.map_or_else(String::new, |(i, travel)| {
         run.of_stage(format!("it cracks at {} of travel", Amount::place(travel)), i)
     });
-    let text = joined([format!("the {edge} goes from Ø {from} to Ø {to}, expansion ratio {{}}"), instant], "; ");
+    let wall = if is_hole { "" } else { " at mid-wall" };
+    let text = joined([format!("the {edge} goes from Ø {from} to Ø {to}{wall}, expansion ratio {{}}"), instant], "; ");
     let finding = Finding::judged("edge", "Edge", text).number(Amount::share(ratio));
     let Some(limit) = blank.edge_limit else {
         let advice = "write `blank.edge_limit` = { expansion = \"60 %\", scatter = \"10 %\" } with the hole expansion ratio of \

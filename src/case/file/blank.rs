@@ -159,15 +159,12 @@ impl CaseFile {
             (None, None) => return Ok(None),
             (Some(tube), _) => {
                 let (thickness, across) = (blank.thickness.value(), tube.diameter.value());
-                let (radius, what) = (0.5 * (across - thickness), "a tube is axisymmetric, and wider than two walls");
-                let fits = self.geometry == Geometry::Axisymmetric && radius > 0.5 * thickness;
-                source.require(
-                    fits,
-                    "blank.tube",
-                    what,
-                    "check diameter and thickness, or draw the sheet as `profile`",
-                )?;
-                let line = Piece::line(Point::new(radius, 0.0), Point::new(radius, -tube.length.value()));
+                let (radius, length) = (0.5 * (across - thickness), tube.length.value());
+                let is_tube = radius > 0.5 * thickness && length >= SLENDER * thickness;
+                let what = "a tube is axisymmetric, wider than two walls and longer than five";
+                let help = "check diameter, length and thickness, or draw the sheet as `profile`";
+                source.require(is_tube && self.geometry == Geometry::Axisymmetric, "blank.tube", what, help)?;
+                let line = Piece::line(Point::new(radius, 0.0), Point::new(radius, -length));
                 ("tube", Profile::new(vec![line]).expect("a line with a length"))
             }
             (_, Some(profile)) => ("profile", profile.drawn("blank.profile", ("sheet", self.geometry), source)?),

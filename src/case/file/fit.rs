@@ -23,7 +23,10 @@ pub fn check(model: &Model, source: &Source) -> Result<()> {
     let what = format!("a travel of {travel} mm is next to nothing for a sheet of {t} mm");
     source.require(punch.is_none() || model.travel >= SHALLOWEST * t, travel_key, what, "check the unit")?;
     if model.blank.meridian.is_some() {
-        return Ok(());
+        let is_held = [model.blank.inner_edge, model.blank.edge].iter().any(|edge| *edge != Edge::Free);
+        let help = "write inner_edge = \"guided\" for an end in its seat, or draw a die that it stands against";
+        let what = "nothing holds the sheet against the punch";
+        return source.require(is_held || model.tool(Role::Die).is_some(), "blank.thickness", what, help);
     }
     let Some(die) = model.tool(Role::Die) else {
         return if model.blank.edge == Edge::Free { Err(source.missing("tools", "die")) } else { Ok(()) };
