@@ -7,7 +7,6 @@ pub const MAX_SHARED: usize = 3;
 
 type Corner = SMatrix<f64, MAX_SHARED, MAX_SHARED>;
 type Shared = SVector<f64, MAX_SHARED>;
-type Border = SMatrix<f64, 3, MAX_SHARED>;
 
 /// ```text
 /// [ H  C ] [ x ]   [ f ]      H: one 3×3 block a node on three diagonals, not symmetric
@@ -60,13 +59,18 @@ impl System {
 
     /// Zeroes everything; unused shared unknowns keep a one on their diagonal.
     pub fn clear(&mut self) {
-        [&mut self.lower, &mut self.diagonal, &mut self.upper].iter_mut().for_each(|all| all.fill(Matrix3::zeros()));
-        self.rhs.fill(Vector3::zeros());
-        for border in self.columns.iter_mut().chain(&mut self.rows) {
-            border[..self.shared].fill(Vector3::zeros());
+        for i in 0..self.rhs.len() {
+            self.lower[i] = Matrix3::zeros();
+            self.diagonal[i] = Matrix3::zeros();
+            self.upper[i] = Matrix3::zeros();
+            self.rhs[i] = Vector3::zeros();
+            self.columns[i][..self.shared].fill(Vector3::zeros());
+            self.rows[i][..self.shared].fill(Vector3::zeros());
         }
-        self.corner.fill_with_identity();
-        self.corner.view_mut((0, 0), (self.shared, self.shared)).fill(0.0);
+        self.corner = Corner::zeros();
+        for k in self.shared..MAX_SHARED {
+            self.corner[(k, k)] = 1.0;
+        }
         self.corner_rhs = Shared::zeros();
     }
 
@@ -91,7 +95,9 @@ impl System {
         }
         self.diagonal[node][(freedom, freedom)] = 1.0;
         self.rhs[node][freedom] = 0.0;
-        self.columns[node].iter_mut().for_each(|column| column[freedom] = 0.0);
+        for column in &mut self.columns[node] {
+            column[freedom] = 0.0;
+        }
     }
 
     /// Solves in place by block elimination and a Schur complement: x in `rhs`, y in `corner_rhs`. The matrix is lost.
@@ -100,33 +106,50 @@ impl System {
     #[must_use]
     pub fn solve(&mut self) -> bool {
         let n = self.rhs.len();
-        let mut columns: Vec<Border> = self.columns.iter().map(|columns| Border::from_columns(columns)).collect();
         for i in 0..n {
             if i > 0 {
-                let (l, above, border) = (self.lower[i], self.rhs[i - 1], columns[i - 1]);
+                let l = self.lower[i];
                 self.diagonal[i] -= l * self.upper[i - 1];
+                let above = self.rhs[i - 1];
                 self.rhs[i] -= l * above;
-                columns[i] -= l * border;
+                for k in 0..self.shared {
+                    let above = self.columns[i - 1][k];
+                    self.columns[i][k] -= l * above;
+                }
             }
             let Some(inverse) = self.diagonal[i].try_inverse() else { return false };
             self.upper[i] = inverse * self.upper[i];
             self.rhs[i] = inverse * self.rhs[i];
-            columns[i] = inverse * columns[i];
+            for k in 0..self.shared {
+                self.columns[i][k] = inverse * self.columns[i][k];
+            }
         }
         for i in (0..n - 1).rev() {
-            let (u, below, border) = (self.upper[i], self.rhs[i + 1], columns[i + 1]);
+            let u = self.upper[i];
+            let below = self.rhs[i + 1];
             self.rhs[i] -= u * below;
-            columns[i] -= u * border;
+            for k in 0..self.shared {
+                let below = self.columns[i + 1][k];
+                self.columns[i][k] -= u * below;
+            }
         }
         if self.shared > 0 {
-            for (rows, (x, border)) in self.rows.iter().zip(self.rhs.iter().zip(&columns)) {
-                let rows = Border::from_columns(rows);
-                self.corner_rhs -= rows.tr_mul(x);
-                self.corner -= rows.tr_mul(border);
+            for i in 0..n {
+                for k in 0..self.shared {
+                    let row = self.rows[i][k];
+                    self.corner_rhs[k] -= row.dot(&self.rhs[i]);
+                    for j in 0..self.shared {
+                        self.corner[(k, j)] -= row.dot(&self.columns[i][j]);
+                    }
+                }
             }
             let Some(inverse) = self.corner.try_inverse() else { return false };
             self.corner_rhs = inverse * self.corner_rhs;
-            self.rhs.iter_mut().zip(&columns).for_each(|(x, border)| x.gemv(-1.0, border, &self.corner_rhs, 1.0));
+            for i in 0..n {
+                for k in 0..self.shared {
+                    self.rhs[i] -= self.columns[i][k] * self.corner_rhs[k];
+                }
+            }
         }
         self.rhs.iter().all(|x| x.iter().all(|v| v.is_finite())) && self.corner_rhs.iter().all(|v| v.is_finite())
     }
