@@ -5,6 +5,7 @@ use super::press::{Load, RESERVE, with_tonnes};
 use super::tear::{self, Tear, place, tear};
 use super::*;
 use crate::measure::{OPENING_ANGLE, Shape, part_height, stripping_force, wall_at};
+use crate::solver::solution::Frame;
 use crate::table::{Unit, worded};
 use serde::Serialize;
 
@@ -244,7 +245,7 @@ fn hole(stage: &StageSolution) -> Option<Quantity> {
 }
 
 /// Outside diameter at the end of a sheet that is not flat.
-fn end(frame: &crate::solver::solution::Frame) -> Option<Quantity> {
+fn end(frame: &Frame) -> Option<Quantity> {
     let [.., before, node] = &frame.nodes[..] else { return None };
     let upright = (node.z - before.z) / (node.z - before.z).hypot(node.r - before.r);
     let about = format!("outside in diameter, its edge {} thick", Amount::thickness(node.thickness));
@@ -321,8 +322,8 @@ fn under_load(before: Option<Amount>) -> String {
 
 /// Draw-in of the last stage that forms, unless the edge left the die.
 fn draw_in(stages: &[StageSolution]) -> Option<Quantity> {
-    let (_, stage) = formed(stages).last().filter(|(_, stage)| stage.stop.kind != StopKind::LeftDie)?;
-    stage.model.blank.meridian.is_none().then_some(())?;
+    let is_drawn_in = |on: &StageSolution| on.model.blank.meridian.is_none() && on.stop.kind != StopKind::LeftDie;
+    let (_, stage) = formed(stages).last().filter(|(_, stage)| is_drawn_in(stage))?;
     let load = if stages.last()?.model.release.is_some() { ", under load" } else { "" };
     let draw_in = Quantity::new("draw_in", "Draw-in", Amount::draw_in(stage.steps.last()?.draw_in));
     Some(draw_in.at(format!("of the edge, on each side{load}")))

@@ -15,24 +15,24 @@ pub(super) fn reached(stage: &StageSolution) -> Option<[f64; 2]> {
 /// Expansion from which on the end of a tube is widened \[–\]: half a percent.
 const WIDENED: f64 = 0.005;
 
-/// Largest expansion of the hole, or of the end of a sheet that is not flat at its mid-surface; grey without a limit, for no law of a sheet knows how its edge was cut.
+/// Largest expansion of the hole, or of the end of a sheet that is not flat at its mid-surface; grey without a limit, for no
+/// law of a sheet knows how its edge was cut.
 pub(super) fn judge(run: &Run) -> Option<Finding> {
     let blank = &run.case.model().blank;
     let is_hole = blank.has_hole() && blank.meridian.is_none();
     if !is_hole && (blank.meridian.is_none() || blank.edge != Edge::Free) {
         return None;
     }
-    let (edge, before) = if is_hole { ("hole", 2.0 * blank.hole) } else { ("end", 2.0 * blank.edge_radius()) };
-    let (_, ratio, hole) = run.peak(|_, stage| {
+    let (edge, wall) = if is_hole { ("hole", "") } else { ("end", " at mid-wall") };
+    let (_, ratio, widest) = run.peak(|_, stage| {
         let expansions = stage.steps.iter().map(|step| (step.edge_expansion(blank), step.edge_diameter(blank)));
         expansions.max_by(|a, b| a.0.total_cmp(&b.0)).filter(|(ratio, _)| is_hole || *ratio > WIDENED)
     })?;
-    let [from, to] = [before, hole].map(Amount::place);
+    let [from, to] = [2.0 * blank.widened_radius(), widest].map(Amount::place);
     let instant = formed(run.stages).find_map(|(i, stage)| Some((i, reached(stage)?[1])));
     let instant = instant.map_or_else(String::new, |(i, travel)| {
         run.of_stage(format!("it cracks at {} of travel", Amount::place(travel)), i)
     });
-    let wall = if is_hole { "" } else { " at mid-wall" };
     let text = joined([format!("the {edge} goes from Ø {from} to Ø {to}{wall}, expansion ratio {{}}"), instant], "; ");
     let finding = Finding::judged("edge", "Edge", text).number(Amount::share(ratio));
     let Some(limit) = blank.edge_limit else {

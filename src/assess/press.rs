@@ -77,9 +77,10 @@ pub(super) fn force(run: &Run) -> Option<Finding> {
         0.0 => String::new(),
         holder => format!("punch {}, holder {}", amount(load.step.punch_force), amount(holder)),
     };
-    let angle = press.drive.as_ref().map(|drive| Amount::angle(drive.degrees(load.left())));
-    let at = angle.map_or(at.clone(), |angle| format!("{at}, {angle} before the bottom dead centre"));
-    let at = joined([at, at_event(load.on, load.step)], " ");
+    let angle = press.drive.as_ref().map_or_else(String::new, |drive| {
+        format!(", {} before the bottom dead centre", Amount::angle(drive.degrees(load.left())))
+    });
+    let at = joined([at + &angle, at_event(load.on, load.step)], " ");
     let text = run.of_stage(joined([at, parts], ": "), load.stage);
     let finding = rated(Finding::judged("press_force", "Press force", text), amount(load.force()), permitted);
     Some(match permitted.filter(|_| press.drive.is_some()) {

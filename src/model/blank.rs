@@ -98,6 +98,11 @@ impl Blank {
         self.node(self.length)[0]
     }
 
+    /// Distance from the axis of the edge that may be widened: a hole's, or the outer one of a sheet that is not flat \[mm\].
+    pub fn widened_radius(&self) -> f64 {
+        if self.meridian.is_some() { self.edge_radius() } else { self.hole }
+    }
+
     /// True if the first end is the free edge of a hole.
     pub fn has_hole(&self) -> bool {
         self.hole > 0.0 && self.inner_edge == Edge::Free
@@ -105,11 +110,13 @@ impl Blank {
 
     /// Largest distance of the mid-surface from the axis or symmetry plane \[mm\].
     pub fn reach(&self) -> f64 {
-        self.meridian.as_ref().map_or(self.length, |_| self.places(CHORDS).map(|place| place.x).fold(0.0, f64::max))
+        self.meridian
+            .as_ref()
+            .map_or(self.length, |_| self.mid_surface(CHORDS).map(|point| point.x).fold(0.0, f64::max))
     }
 
     /// Points along the mid-surface, `count` and one more \[mm\].
-    pub fn places(&self, count: usize) -> impl Iterator<Item = Point> {
+    pub fn mid_surface(&self, count: usize) -> impl Iterator<Item = Point> {
         let [from, to] = self.ends();
         let nodes = (0..=count).map(move |i| self.node(from + (to - from) * i as f64 / count as f64));
         nodes.map(|[r, z, _]| Point::new(r, z))
@@ -117,9 +124,9 @@ impl Blank {
 
     /// Area of the mid-surface \[mm², or mm per mm of depth\], by chords where it is curved.
     pub fn area(&self, geometry: Geometry) -> f64 {
-        let places: Vec<Point> = self.places(CHORDS).collect();
+        let points: Vec<Point> = self.mid_surface(CHORDS).collect();
         let around = |r: f64| if geometry == Geometry::Axisymmetric { TAU * r } else { 1.0 };
-        places.windows(2).map(|w| around(0.5 * (w[0].x + w[1].x)) * (w[1] - w[0]).norm()).sum()
+        points.windows(2).map(|w| around(0.5 * (w[0].x + w[1].x)) * (w[1] - w[0]).norm()).sum()
     }
 
     /// The points through the thickness.

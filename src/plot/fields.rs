@@ -37,7 +37,7 @@ pub mod element {
     const STRESS_ACROSS: [&str; 2] = ["Hoop stress", "Out-of-plane stress"];
 
     pub const S0: Field = Field::worded("s0", INITIAL, Unit::Mm, |e| e.s0);
-    /// Of a sheet that is not flat.
+    /// Place on a sheet that is not flat.
     pub const S0_ALONG: Field = Field::new("s0", "Initial length along the sheet", Unit::Mm, |e| e.s0);
     pub const R: Field = Field::worded("r", PRESENT, Unit::Mm, |e| e.r);
     pub const Z: Field = Field::new("z", "z, along punch travel", Unit::Mm, |e| e.z);

@@ -291,7 +291,7 @@ impl ToolContext<'_> {
             return Ok(drawn);
         }
         let half = 0.5 * self.blank.thickness;
-        let sheet: Vec<_> = self.blank.places(PLACES).map(|place| (place, half)).collect();
+        let sheet: Vec<_> = self.blank.mid_surface(PLACES).map(|point| (point, half)).collect();
         if role == Role::Punch {
             return Ok(drawn.shifted(met(&drawn, role.side(), &sheet, [self.blank.thickness, 0.0])));
         }

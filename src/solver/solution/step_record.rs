@@ -113,8 +113,7 @@ impl StepRecord {
 
     /// Its expansion \[–\].
     pub fn edge_expansion(&self, blank: &Blank) -> f64 {
-        let before = if blank.meridian.is_some() { blank.edge_radius() } else { blank.hole };
-        self.edge_diameter(blank) / (2.0 * before) - 1.0
+        self.edge_diameter(blank) / (2.0 * blank.widened_radius()) - 1.0
     }
 
     /// Width of the rim over the initial thickness \[–\].
