@@ -57,11 +57,10 @@ impl Values {
             for line in paragraph.lines() {
                 let Some((filled, why)) = self.line(line, is_round) else { continue };
                 let last = filled.lines().last().unwrap_or_default();
-                let is_short = last.chars().count() + 3 + why.chars().count() <= WIDTH;
                 text += &match filled.strip_prefix("# ").filter(|_| line.starts_with("# ")) {
                     Some(remark) => comment(remark),
                     None if why.is_empty() => filled + "\n",
-                    None if is_short => format!("{filled}   # {why}\n"),
+                    None if last.chars().count() + 3 + why.chars().count() <= WIDTH => format!("{filled}   # {why}\n"),
                     None => comment(&why) + &filled + "\n",
                 };
             }

@@ -29,7 +29,6 @@ pub struct Answer {
 impl Answer {
     /// Answer from solved stages and the [findings](super::after) on them.
     pub fn of(case: &Case, stages: &[StageSolution], findings: &[Finding]) -> Self {
-        let light = judgements(findings).map(|finding| finding.light).max().unwrap_or(Light::Grey);
         let end = stages.last().map(|stage| &stage.stop);
         let end = end.filter(|stop| stop.is_complete() && stop.kind != StopKind::FullTravel);
         let failures = FailureMode::all(stages, findings);
@@ -37,7 +36,7 @@ impl Answer {
         let edge = judgements(findings).find(|finding| finding.key == "edge").map(Finding::statement);
         let hole = edge.map_or_else(String::new, |edge| first_clause(&edge).to_owned());
         Self {
-            light,
+            light: judgements(findings).map(|finding| finding.light).max().unwrap_or(Light::Grey),
             sentence: joined([sentence(stages, findings, &failures, tear.as_ref()), hole], "; "),
             end: end.map_or_else(String::new, ToString::to_string),
             numbers: numbers(case, stages, tear.is_some()),
@@ -265,8 +264,7 @@ fn holder(stage: &StageSolution) -> Option<Quantity> {
         return Some(Quantity::new("holder_gap", "Holder gap", Amount::size(gap)).at(about));
     }
     let force = Amount::force(super::largest(stage, |step| step.holder_force), model.extent().force_unit());
-    let force = force.to(Digits::Significant(3));
-    Some(Quantity::new("holder_force", "Holder", force).at("at its largest"))
+    Some(Quantity::new("holder_force", "Holder", force.to(Digits::Significant(3))).at("at its largest"))
 }
 
 /// Stripping force of a cup that has left its die.
@@ -286,8 +284,7 @@ fn blank(model: &Model) -> Quantity {
     }
     let across = worded(model.geometry, "in diameter", "wide");
     let amount = Amount::new(2.0 * model.blank.length, Unit::Mm, Digits::Given(2));
-    let about = format!("{across}, {} thick", Amount::size(model.blank.thickness));
-    Quantity::new("blank", "Blank", amount).at(about)
+    Quantity::new("blank", "Blank", amount).at(format!("{across}, {} thick", Amount::size(model.blank.thickness)))
 }
 
 /// Angle between the legs of a bend or the walls of a channel, after release.

@@ -190,8 +190,7 @@ impl fmt::Display for Check {
         let rows = self.rows(f.alternate());
         let width = rows.iter().map(|(label, _)| label.chars().count()).max().unwrap_or(0);
         rows.iter().try_for_each(|(label, text)| writeln!(f, "  {label:<width$}  {text}"))?;
-        let notes = self.notes(f.alternate(), rows.len());
-        for (heading, entries) in [("assumed", &notes), ("warnings", &self.warnings)] {
+        for (heading, entries) in [("assumed", &self.notes(f.alternate(), rows.len())), ("warnings", &self.warnings)] {
             if !entries.is_empty() {
                 writeln!(f, "\n{heading}")?;
             }

@@ -62,11 +62,10 @@ pub(super) fn redraw(run: &Run) -> Option<Finding> {
     if is_wide {
         text += &format!("; {begin:.2} in the first draw, above {most}");
     }
-    let is_within = ratio <= limit + ROUNDED_RATIO && !is_deep && !is_wide;
     Finding::judged("redraw_ratio", "Redraw ratio", run.of_stage(text, i))
         .number(Amount::ratio(ratio))
         .at_most(limit, None)
-        .light(if is_within { Light::Green } else { Light::Amber })
+        .light(if ratio <= limit + ROUNDED_RATIO && !is_deep && !is_wide { Light::Green } else { Light::Amber })
         .source(RATIOS)
         .into()
 }
@@ -85,8 +84,7 @@ pub(super) fn wrinkling(run: &Run) -> Option<Finding> {
     Some(match model.tool(Role::Holder).map(|holder| &holder.motion) {
         Some(Motion::Pressed(press)) if !press.is_idle() => {
             let beads: f64 = model.beads.iter().map(|bead| bead.closing * bead.line(model.geometry)).sum();
-            let area = held_area(model)?;
-            let pressure = (press.force.smallest() - beads).max(0.0) / area;
+            let pressure = (press.force.smallest() - beads).max(0.0) / held_area(model)?;
             let advised = siebel_pressure(model)?;
             let [wanted, least] = [advised, pressure].map(Amount::stress);
             judged("Wrinkle index", format!("{{}}; Siebel's least, {wanted}, over the holder's {least}; {itself}"))
@@ -187,8 +185,7 @@ fn rim_heights(r: &RValues, parts: impl Iterator<Item = (f64, f64)> + Clone) -> 
     let share = |r: f64| r / (1.0 + r);
     let mean = share(r.mean());
     [r.r90, r.r45, r.r0].map(|r| {
-        let more = |(length, hoop): (f64, f64)| length * (-(share(r) - mean) * hoop.min(0.0)).exp_m1();
-        parts.clone().map(more).sum()
+        parts.clone().map(|(length, hoop): (f64, f64)| length * (-(share(r) - mean) * hoop.min(0.0)).exp_m1()).sum()
     })
 }
 
@@ -219,8 +216,7 @@ pub(super) fn trim(stage: &StageSolution) -> Option<Finding> {
     let cut = stage.trimmed?;
     let wanted = Amount::size(cut.asked);
     let text = format!("the sheet is cut to r = {{}} instead of {wanted}: {} whole elements go", cut.elements);
-    let warning = Finding::warning("trim", "Trim", text).number(Amount::size(cut.edge));
-    Some(warning.limit(wanted).source("the case's trim"))
+    Some(Finding::warning("trim", "Trim", text).number(Amount::size(cut.edge)).limit(wanted).source("the case's trim"))
 }
 
 /// Trust: the closed form of a flange drawn into a wall of radius a from a blank of radius b: a part at ρ becomes (ρ/a)^m long

@@ -85,8 +85,7 @@ impl Number {
 
     /// Number that has no error bar for a reason.
     pub fn without_bar(&self, why: &str) -> Self {
-        let quantity = self.quantity.clone().with_error(ErrorBar::Missing(why.to_owned()));
-        Self { quantity, ..self.clone() }
+        Self { quantity: self.quantity.clone().with_error(ErrorBar::Missing(why.to_owned())), ..self.clone() }
     }
 
     /// Origin, key and unit in files.

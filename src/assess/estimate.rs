@@ -10,9 +10,8 @@ use std::f64::consts::FRAC_PI_2;
 /// Throat less punch \[mm\]; for a closed die or a punch that widens, the smallest gap at the full travel.
 pub(crate) fn clearance(model: &Model) -> Option<f64> {
     let (punch, die) = (model.tool(Role::Punch)?, model.tool(Role::Die)?);
-    let closed = || gap(punch, die, model.travel).0;
     let straight = throat(die).filter(|_| !widens(punch, model.travel));
-    Some(straight.map_or_else(closed, |throat| throat - extent(punch).1))
+    Some(straight.map_or_else(|| gap(punch, die, model.travel).0, |throat| throat - extent(punch).1))
 }
 
 /// Blank over the punch's [`mouth`], where a blank is drawn in over a punch that is smaller.

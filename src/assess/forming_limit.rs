@@ -26,13 +26,8 @@ impl<'a> Nearest<'a> {
         // A limit that is reached, or not known, comes before one that is near.
         all.min_by(|a, b| {
             let margin = |it: &Self| it.assessment.worst().margin();
-            a.is_kept().cmp(&b.is_kept()).then(margin(a).total_cmp(&margin(b)))
+            a.assessment.is_kept().cmp(&b.assessment.is_kept()).then(margin(a).total_cmp(&margin(b)))
         })
-    }
-
-    /// Whether the sheet stays below the limit, and below where the curve ends.
-    pub fn is_kept(&self) -> bool {
-        self.assessment.is_kept()
     }
 }
 

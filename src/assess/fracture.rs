@@ -13,10 +13,8 @@ pub(super) fn reached(stage: &StageSolution) -> Option<&StepRecord> {
 
 pub(super) fn judge(run: &Run) -> Option<Finding> {
     let criterion = run.case.model().material.fracture?;
-    let (i, damage, at) = run.peak(|_, stage| {
-        let steps = stage.steps.iter().map(|step| (step.damage, step));
-        steps.max_by(|a, b| a.0.total_cmp(&b.0))
-    })?;
+    let (i, damage, at) =
+        run.peak(|_, stage| stage.steps.iter().map(|step| (step.damage, step)).max_by(|a, b| a.0.total_cmp(&b.0)))?;
     let stage = &run.stages[i];
     let place = joined([tear::place(&run.stages[..=i], at.damage_s0), face(stage, at.damage_s0).into()], ", ");
     let uses = format!("uses {{}} of the critical value {place}");

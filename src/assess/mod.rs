@@ -98,13 +98,12 @@ const ON_STAGE: &[fn(&StageSolution) -> Option<Finding>] = &[
 /// Assumptions made while a case was read, and warnings before it is solved.
 pub fn before(case: &Case) -> Vec<Finding> {
     let model = case.model();
-    let assumed = case.derived.iter().cloned().map(Finding::assumed);
     let on_case = ON_CASE.iter().filter_map(|find| find(case));
     let on_model = SIZE_CHECKS.iter().chain(ON_MODEL).filter_map(|find| find(model));
     // A pad's edge stands over the bottom's flat.
     let tools = || model.tools.iter().filter(|tool| tool.role != Role::Pad);
     let on_tools = ON_TOOL.iter().flat_map(|find| tools().filter_map(|tool| find(model, tool)));
-    let findings = assumed.chain(on_case).chain(on_model).chain(on_tools);
+    let findings = case.derived.iter().cloned().map(Finding::assumed).chain(on_case).chain(on_model).chain(on_tools);
     findings.map(|finding| Finding { when: When::Before, ..finding }).collect()
 }
 
@@ -127,8 +126,7 @@ pub fn by_stage(before: &[Finding], stages: &[StageSolution]) -> Vec<Vec<Finding
 
 /// Warnings on the `i`-th stage of a case, counted from 0.
 pub fn of_stage(i: usize, stage: &StageSolution) -> Vec<Finding> {
-    let findings = ON_STAGE.iter().filter_map(|find| find(stage));
-    findings.map(|finding| Finding { stage: Some(i), ..finding }).collect()
+    ON_STAGE.iter().filter_map(|find| find(stage)).map(|finding| Finding { stage: Some(i), ..finding }).collect()
 }
 
 struct Run<'a> {

@@ -24,8 +24,7 @@ impl<'a> Load<'a> {
     pub fn largest(stages: &'a [StageSolution], press: &Press) -> Option<Self> {
         let steps = formed(stages).flat_map(|(stage, on)| on.steps.iter().map(move |step| Self { stage, on, step }));
         let share = |load: &Self| load.force() / press.permitted(load.left()).unwrap_or(1.0);
-        let pressing = steps.filter(|load| load.step.punch_force > 0.0);
-        pressing.max_by(|a, b| share(a).total_cmp(&share(b)))
+        steps.filter(|load| load.step.punch_force > 0.0).max_by(|a, b| share(a).total_cmp(&share(b)))
     }
 
     /// Travel left \[mm\].
@@ -90,11 +89,10 @@ pub(super) fn force(run: &Run) -> Option<Finding> {
 }
 
 pub(super) fn energy(run: &Run) -> Option<Finding> {
-    let unit = run.stages.first()?.model.extent().energy_unit();
     let work = |step: &StepRecord| (JOULES * step.work.external, ());
     let forms = |stage: &StageSolution| stage.model.release.is_none();
     let (i, work, ()) = run.peak(|_, stage| stage.steps.last().filter(|_| forms(stage)).map(work))?;
-    let work = Amount::force(work, unit);
+    let work = Amount::force(work, run.stages.first()?.model.extent().energy_unit());
     let rating = run.case.press.energy.map(|energy| JOULES * energy);
     let share = rating
         .map_or(String::new(), |rating| format!(", {} of what a stroke gives", Amount::share(work.value / rating)));

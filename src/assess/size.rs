@@ -50,8 +50,7 @@ fn within(warning: Finding, size: f64, range: RangeInclusive<f64>) -> Finding {
 
 fn thickness(model: &Model) -> Option<Finding> {
     let warning = Finding::warning("thickness", "Thickness", "the sheet is {} thick, which is odd for a stamping");
-    let warning = within(warning, model.blank.thickness, THICKNESSES);
-    warning.advice("is the unit of its thickness right?").if_beyond()
+    within(warning, model.blank.thickness, THICKNESSES).advice("is the unit of its thickness right?").if_beyond()
 }
 
 fn slender(model: &Model) -> Option<Finding> {
@@ -66,8 +65,7 @@ fn blank_diameter(model: &Model) -> Option<Finding> {
     let [radius, half] = [1.0, 0.5].map(|share| Amount::size(share * model.blank.length));
     let text = format!("the blank's radius of {radius} is {{}} times the punch's");
     let warning = Finding::warning("blank_diameter", "Blank", text).number(Amount::ratio(ratio));
-    let warning = warning.at_most(LIMITING_RATIO, None);
-    Some(warning.advice(format!("is {radius} the diameter? Then the radius is {half}")))
+    Some(warning.at_most(LIMITING_RATIO, None).advice(format!("is {radius} the diameter? Then the radius is {half}")))
 }
 
 fn throat_diameter(model: &Model) -> Option<Finding> {

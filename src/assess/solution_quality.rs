@@ -55,8 +55,7 @@ const CHECKS: [Check; 5] = [
         advice: "keep more margin there (strain_paths.csv of `run`)",
         limits: (0.5, None),
         of: |stage| {
-            let curve = stage.model.forming_limit.as_ref().filter(|curve| !curve.is_usual)?;
-            let assessment = assess(curve, &stage.paths)?;
+            let assessment = assess(stage.model.forming_limit.as_ref().filter(|curve| !curve.is_usual)?, &stage.paths)?;
             assessment.elements.iter().filter(|judged| judged.is_crooked()).map(Judged::ratio).reduce(f64::max)
         },
     },
@@ -77,8 +76,7 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     // Work missing in any stage over the largest external work of any.
     let largest = run.stages.iter().map(StageSolution::largest_work).fold(0.0, f64::max);
     let missing = if largest > 0.0 { worst(&WORK).unwrap_or(0.0) / largest } else { 0.0 };
-    let shares = CHECKS.iter().filter_map(|check| Some((check, worst(check)?)));
-    let all = [(&WORK, missing)].into_iter().chain(shares);
+    let all = [(&WORK, missing)].into_iter().chain(CHECKS.iter().filter_map(|check| Some((check, worst(check)?))));
     let is_red = |check: &Check, share: f64| check.limits.1.is_some_and(|red| share > red);
     let (check, share) = all.max_by(|&(a, x), &(b, y)| {
         is_red(a, x).cmp(&is_red(b, y)).then((x / a.limits.0).total_cmp(&(y / b.limits.0)))

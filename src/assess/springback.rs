@@ -94,8 +94,7 @@ fn advice(run: &Run, judged: &[Judged], wall: Option<f64>) -> String {
             if is_held && run.case.model().beads.is_empty() { joined([search, lean], "; or ") } else { lean }
         }
     };
-    let flange = flange.map(|_| format!("then {slope} what is left of the flange's angle"));
-    joined([walls].into_iter().chain(flange), "; ")
+    joined([walls].into_iter().chain(flange.map(|_| format!("then {slope} what is left of the flange's angle"))), "; ")
 }
 
 fn unjudged(limits: &Springback, changes: &[Change]) -> Option<Finding> {
@@ -129,9 +128,8 @@ fn punch_wall(model: &Model, changes: &[Change]) -> Option<f64> {
 impl Springback {
     /// Judged measures; `wall` is the angle of the punch's wall \[°\], from which its own target and that of both walls come.
     fn judged<'a>(&'a self, changes: &'a [Change], wall: Option<f64>) -> impl Iterator<Item = Judged<'a>> + 'a {
-        let both = wall.map(|angle| 2.0 * angle);
         let limits = [
-            (OPENING_ANGLE, self.angle, both, self.tolerance),
+            (OPENING_ANGLE, self.angle, wall.map(|angle| 2.0 * angle), self.tolerance),
             (WALL_ANGLE, self.angle.map(|angle| 0.5 * angle), wall, self.wall_tolerance),
             (FLANGE_ANGLE, self.flange_angle, None, self.flange_tolerance),
             (EDGE, None, None, self.edge_tolerance),

@@ -16,8 +16,7 @@ pub(super) fn thinning(run: &Run) -> Option<Finding> {
     let model = run.case.model();
     let thinning = 1.0 - last.thinnest / model.blank.thickness;
     let is_judged = run.nearest.as_ref().is_some_and(|nearest| nearest.assessment.open().is_none());
-    let is_superplastic = model.material.rate.is_some_and(|rate| rate.is_superplastic());
-    let judge = match [is_judged, is_superplastic] {
+    let judge = match [is_judged, model.material.rate.is_some_and(|rate| rate.is_superplastic())] {
         [true, _] => "the forming limit judges",
         [_, true] => "a superplastic metal bears more than any rule of thumb: compare with your drawing",
         _ => "",
@@ -36,8 +35,7 @@ pub(super) fn localisation(run: &Run) -> Option<Finding> {
     let last = run.stages.last()?;
     last.steps.last()?;
     let judged = |text: String| Finding::judged("localisation", "Neck", text);
-    let necked = run.stages.iter().find_map(|stage| stage.neck);
-    let finding = match (last.stop.kind, necked) {
+    let finding = match (last.stop.kind, run.stages.iter().find_map(|stage| stage.neck)) {
         (kind @ (StopKind::Localised | StopKind::Coalesced), _) => {
             judged(format!("it ended the run: {}", kind.name())).light(Light::Red)
         }
@@ -105,7 +103,6 @@ pub(super) fn tear(stages: &[StageSolution]) -> Option<Tear<'_>> {
         let at = |verb, step: &StepRecord, s0| event(verb, [step.time, step.travel], Some(s0));
         let curve = on.model.forming_limit.as_ref();
         let reached = curve.and_then(|curve| assess(curve, &on.paths)?.reached);
-        let end = [on.end.time, on.end.travel];
         let all = [
             fracture::reached(on).map(|step| at("breaks", step, step.damage_s0)),
             edge::reached(on).map(|instant| event("cracks at the edge of its hole", instant, None)),
@@ -117,7 +114,7 @@ pub(super) fn tear(stages: &[StageSolution]) -> Option<Tear<'_>> {
                 StopKind::LoadMaximum => Some(on.steps.last().map(|step| step.thinnest_s0)),
                 _ => None,
             }
-            .map(|s0| event("tears", end, s0)),
+            .map(|s0| event("tears", [on.end.time, on.end.travel], s0)),
         ];
         all.into_iter().flatten().min_by(|a, b| a.instant[0].total_cmp(&b.instant[0]))
     });

@@ -23,8 +23,7 @@ pub(super) fn dry_friction(_: &Model, tool: &Tool) -> Option<Finding> {
         return None;
     }
     let text = format!("the {}'s friction of {{}} is above that of dry steel, {dry}", tool.role.name());
-    let warning = Finding::warning("dry_friction", "Friction", text).number(Amount::number(friction));
-    warning.at_most(dry, None).if_beyond()
+    Finding::warning("dry_friction", "Friction", text).number(Amount::number(friction)).at_most(dry, None).if_beyond()
 }
 
 pub(super) fn narrow(model: &Model) -> Option<Finding> {
@@ -47,8 +46,7 @@ pub(super) fn clearance(run: &Run) -> Option<Finding> {
         let wall = stage.frames.last().and_then(thickest).map(|(wall, _)| wall / blank.thickness);
         let wall = wall.filter(|wall| upright && *wall < gap);
         let sizes = |wall| format!("; the wall is {} thick at most: nothing sizes it", Amount::thicknesses(wall));
-        let loose = wall.map_or_else(String::new, sizes);
-        let text = run.of_stage("{} between punch and die".into(), i) + &loose;
+        let text = run.of_stage("{} between punch and die".into(), i) + &wall.map_or_else(String::new, sizes);
         let judged = Finding::judged("clearance", "Clearance", text)
             .number(Amount::thicknesses(gap).to(Digits::Decimals(2)))
             .source("a sheet that does not thin is ironed in less; 1.5 t: declared");

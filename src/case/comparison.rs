@@ -223,8 +223,7 @@ impl Compare {
         source.require(!reason.trim().is_empty(), &key_of_reason, "a comparison needs its reason", help)?;
         let what = "strain paths are kept of a case with a forming limit, and this one has none";
         let help = "add [forming_limit] with hill = true, or points";
-        let known = limited || quantity != ComparedQuantity::StrainPath;
-        source.require(known, &format!("{path}.quantity"), what, help)?;
+        source.require(limited || quantity != ComparedQuantity::StrainPath, &format!("{path}.quantity"), what, help)?;
 
         let (along, across) = (["x", "y", "tolerance"], ["band", "error"]);
         let (foreign, needed, help) = if quantity.is_curve() {
@@ -255,7 +254,6 @@ impl Compare {
             let what = format!("a row of {} under {} columns", row.fields.len(), csv.header.fields.len());
             return Err(lines.error(row.line, what, "write a comma for each field, empty ones too"));
         }
-        let origin = provenance(file, &key, source)?;
-        Ok(Spec { reference: file.to_owned(), data: Some(csv), source: origin, ..spec })
+        Ok(Spec { reference: file.to_owned(), data: Some(csv), source: provenance(file, &key, source)?, ..spec })
     }
 }

@@ -143,8 +143,7 @@ fn unquoted_text(line: &str) -> Option<String> {
 
 /// Remedy for the number around byte `at` of a line: a decimal point between digits, quotes around a unit.
 fn unquoted_number(line: &str, at: usize) -> Option<String> {
-    let before = line.get(..at).filter(|before| before.contains('=')).unwrap_or(line);
-    let equals = before.rfind('=')?;
+    let equals = line.get(..at).filter(|before| before.contains('=')).unwrap_or(line).rfind('=')?;
     let key = line[..equals].trim_end().rsplit(['{', ',', ' ']).next()?;
     let value = line[equals + 1..].split(['#', '}', ']']).next()?.split(", ").next()?.trim().trim_end_matches(',');
     let unsigned = value.trim_start_matches(['+', '-']);

@@ -8,7 +8,7 @@ use crate::forming_limit::{Curve, Sheet, uniform_strain};
 use crate::grade::{self, Band, Coil, PROOF, SheetText};
 use crate::material::{BackStress, Material, flow::ROOM_TEMPERATURE, hardening::HardeningTable};
 use crate::model::Mode;
-use crate::units::{Dimensioned, Number, Positive, did_you_mean};
+use crate::units::{Dimensioned, Positive, did_you_mean};
 use serde::{Deserialize, de::IgnoredAny};
 use std::path::Path;
 
@@ -92,13 +92,6 @@ pub struct StandsFor {
     pub because: String,
 }
 
-/// Keys that a law made from a band adds to `[material]`.
-#[derive(Deserialize)]
-struct MadeKeys {
-    fitted_up_to: Positive<Number>,
-    hardening: HardeningTable,
-}
-
 /// Reads a sheet; without a law of its own it has the one that its band makes.
 fn read(text: SheetText, coil: Option<Coil>) -> Result<Description> {
     let source = source(text)?;
@@ -107,14 +100,12 @@ fn read(text: SheetText, coil: Option<Coil>) -> Result<Description> {
         let help = "give rp02, rm and one of ag, n and a, or write a law such as [material.hardening.swift]";
         let missing = || source.error("band", "the sheet has no law, and no band that makes one", help);
         let band = sheet.band.as_ref().ok_or_else(missing)?;
-        let law = band.law(coil).ok_or_else(missing)?.to_string();
-        let made: MadeKeys = toml::from_str(&law).map_err(|_| missing())?;
-        let r = band.r_value().unwrap_or(1.0);
-        sheet.made = Some(format!("source = {:?}\nanisotropy = {r}\n{law}", band.origin(coil)));
-        let material = &mut sheet.material;
-        material.source = Some(band.origin(coil));
-        material.anisotropy = Positive::checked(r, "r").ok().map(file::Anisotropy::Mean);
-        (material.fitted_up_to, material.hardening) = (Some(made.fitted_up_to), Some(made.hardening));
+        let (law, r) = (band.law(coil).ok_or_else(missing)?, band.r_value().unwrap_or(1.0));
+        let made = format!("source = {:?}\nanisotropy = {r}\n{law}", band.origin(coil));
+        let file::Material { source, anisotropy, fitted_up_to, hardening, .. } =
+            toml::from_str(&made).map_err(|_| missing())?;
+        sheet.material = file::Material { source, anisotropy, fitted_up_to, hardening, ..sheet.material };
+        sheet.made = Some(made);
     }
     Ok(sheet)
 }
@@ -301,11 +292,10 @@ fn entry(text: SheetText, coil: Option<Coil>) -> Result<Entry> {
     let material = about.material.model(&source)?;
     let elastoplastic = about.elastoplastic().map(|shifting| shifting.model(&source)).transpose()?;
     let limit = about.forming_limit.as_ref().map(|limit| limit.curve(&material, 1.0, None, &source));
-    let measured_limit = limit.transpose()?.flatten();
     about.material.r_values(&source);
     about.notes.extend(source.notes.take());
     let table = text.find("[material").map_or("", |at| &text[at..]);
     let made = about.made.iter().map(|made| format!("[material]\n{made}"));
     let text = made.fold(table.to_owned(), |table, made| table.replacen("[material]\n", &made, 1));
-    Ok(Entry { name, about, material, elastoplastic, measured_limit, text })
+    Ok(Entry { name, about, material, elastoplastic, measured_limit: limit.transpose()?.flatten(), text })
 }

@@ -149,8 +149,7 @@ pub fn parse_with(text: &str, name: &str, overrides: &[String], files: &dyn File
     }
     let text = overrides::apply(text, overrides)?;
     let shown = if overrides.is_empty() { name.to_owned() } else { format!("{name} (with overrides)") };
-    let folder = Folder { files, path: path.parent().unwrap_or(Path::new("")) };
-    let source = Source::parse(&shown, &text, folder)?;
+    let source = Source::parse(&shown, &text, Folder { files, path: path.parent().unwrap_or(Path::new("")) })?;
     let mut file = source.case()?;
     sources::forget_replaced(&mut file, overrides);
     sources::limit_of_another_sheet(&file, overrides).into_iter().for_each(|note| source.note(note));

@@ -132,10 +132,7 @@ impl Case {
 
     /// Its hardening law as a value that `material.hardening` may be set to; `None` where the text has none.
     pub fn hardening(&self) -> Option<Value> {
-        let law = |text: &str| {
-            let case = text.parse::<DocumentMut>().ok()?;
-            at(&case, "material.hardening")?.clone().into_value().ok()
-        };
+        let law = |text: &str| at(&text.parse::<DocumentMut>().ok()?, "material.hardening")?.clone().into_value().ok();
         law(&self.text).or_else(|| law(&self.sheet()?.text))
     }
 

@@ -33,9 +33,8 @@ impl<'t> Source<'t> {
         match DeTable::parse(text) {
             Ok(mut tree) => {
                 resolve_thicknesses(tree.get_mut());
-                let root = DeValue::Table(tree.get_ref().clone());
                 let (notes, read, stage) = Default::default();
-                Ok(Self { shown, text, tree, root, folder, notes, read, stage })
+                Ok(Self { shown, text, root: DeValue::Table(tree.get_ref().clone()), tree, folder, notes, read, stage })
             }
             Err(error) => Err(error::not_toml(&error, text, shown)),
         }
@@ -211,8 +210,7 @@ const ALTERNATIVES: [&[&str]; 10] = [
 
 fn diameter_key(path: &str) -> Option<String> {
     let (table, key) = path.rsplit_once('.')?;
-    let keys = ALTERNATIVES[..6].iter().find(|keys| keys[0] == key)?;
-    Some(format!("{table}.{}", keys[1]))
+    Some(format!("{table}.{}", ALTERNATIVES[..6].iter().find(|keys| keys[0] == key)?[1]))
 }
 
 /// Keys that a table cannot have beside one, such as the diameter beside the radius.

@@ -117,8 +117,7 @@ fn row((case, comparison): &(String, Comparison)) -> [String; 6] {
     let kind = comparison.spec.source.as_ref().map(|source| source.kind().to_owned());
     let computed = comparison.farthest().map(|amount| amount.to_string());
     let [kind, computed, target] = [kind, computed, comparison.target()].map(|text| text.unwrap_or("–".to_owned()));
-    let quantity = comparison.spec.quantity.label().to_owned();
-    [case.clone(), kind, quantity, computed, target, comparison.outcome()]
+    [case.clone(), kind, comparison.spec.quantity.label().to_owned(), computed, target, comparison.outcome()]
 }
 
 fn reasons(all: &[(String, Comparison)]) -> String {

@@ -25,8 +25,7 @@ pub fn export(args: &Args) -> Result<Code> {
     place::free(path, args.force, &case.inputs, "-o")?;
     can_write(path).map_err(unusable("-o"))?;
     let solution = args.common.progress().watch(&case).solve(case);
-    let unit = [DrawingUnit::MM, DrawingUnit::INCH][DisplaySettings::current() as usize];
-    let drawing = Drawing::new(&solution, unit);
+    let drawing = Drawing::new(&solution, [DrawingUnit::MM, DrawingUnit::INCH][DisplaySettings::current() as usize]);
     write(path, drawing.text(format).as_bytes()).map_err(unusable("-o"))?;
     let layers: Vec<_> = drawing.layers.iter().map(|layer| layer.name.as_str()).collect();
     let is_complete = solution.is_complete();

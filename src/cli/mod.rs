@@ -67,8 +67,7 @@ use study::StudyOptions;
 const HELP: &str = include_str!("help.txt");
 
 fn help(section: &str) -> &'static str {
-    let text = HELP.split("# ").find_map(|part| part.strip_prefix(section)?.strip_prefix('\n'));
-    text.unwrap_or_default().trim_end()
+    HELP.split("# ").find_map(|part| part.strip_prefix(section)?.strip_prefix('\n')).unwrap_or_default().trim_end()
 }
 
 /// Verbs of a die's design, in the order of use; the list of verbs begins with them.

@@ -83,13 +83,11 @@ impl Args {
             let comparisons = compare::as_json(results.comparisons.iter().map(|one| (&solution.case.name, one)));
             let (verdict, files) = (solved.verdict(), written.as_deref().unwrap_or_default());
             let own = json!({ "verdict": verdict, "comparisons": comparisons, "folder": dir, "files": files });
-            let summary = serde_json::to_value(CaseSummary::of(solution, &results.views))?;
-            output.json = Some(with(summary, own));
+            output.json = Some(with(serde_json::to_value(CaseSummary::of(solution, &results.views))?, own));
         } else {
             let files: String = written.iter().map(|f| format!("{} files in {}", f.len(), dir.display())).collect();
-            let is_short = self.cases.len() > 1 && !self.verbose;
             let whole = || solved.screen(ScreenText::default()) + self.rest(&results, &files);
-            output.screen = if is_short { solved.sentence(&files) } else { whole() };
+            output.screen = if self.cases.len() > 1 && !self.verbose { solved.sentence(&files) } else { whole() };
         }
         output.failed = written.err().into_iter().chain(traced.filter_map(Result::err)).map(Into::into).collect();
         Ok(output)

@@ -44,12 +44,11 @@ fn one(args: &Args, progress: &Progress, case: Case) -> Result<Output> {
     let rows = verification.bars.numbers.iter().filter(is_printed).map(row);
     let title = format!("{}: {} finer runs, ", solution.case.name, verification.outcomes.len() - 1);
     let path = path.filter(|_| failed.is_empty());
-    let written = path.map_or(String::new(), |path| format!("{} is written\n", path.display()));
     let screen = wrapped(format!("{title}{}\n\n", Amount::time(seconds)))
         + table(&["Quantity", "Value", "Made of (observed order)"], rows)
         + "\n"
         + list(verification.bars.notes.iter().chain(&moved))
-        + written;
+        + path.map_or(String::new(), |path| format!("{} is written\n", path.display()));
     Ok(Output { code, screen, failed, ..Output::default() })
 }
 

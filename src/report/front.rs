@@ -66,8 +66,8 @@ fn issue_of(issue: &Finding) -> Markup {
 
 pub(super) fn pictures(report: &Report) -> impl Iterator<Item = FrontPicture> {
     let part = report.stages.len().checked_sub(1).and_then(|stage| {
-        let view = &report.stages[stage].0;
-        let (file, (chart, about)) = PARTS.iter().find_map(|file| Some((*file, plot(view, file)?)))?;
+        let (file, (chart, about)) =
+            PARTS.iter().find_map(|file| Some((*file, plot(&report.stages[stage].0, file)?)))?;
         Some(picture(report, stage, file, chart, about))
     });
     let torn = report.stages.iter().position(|(view, _)| tears_at(view.stage).is_some());
@@ -93,8 +93,7 @@ fn forces(report: &Report, stage: usize) -> Option<FrontPicture> {
     for (i, (view, _)) in forming.filter(|(i, _)| *i != stage) {
         let points: Vec<_> = view.stage.steps.iter().map(|step| (step.travel, step.punch_force)).collect();
         if bounds(points.iter().map(|point| point.1)).1 > 0.0 {
-            let style = Style::curve(panel.series.len());
-            panel.series.push(Series::new(report.stage(i) + "punch force", points, style));
+            panel.series.push(Series::new(report.stage(i) + "punch force", points, Style::curve(panel.series.len())));
             about = "forces over the punch travel, and the punch forces of the other stages";
         }
     }

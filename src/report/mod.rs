@@ -61,8 +61,7 @@ impl<'a> Report<'a> {
         let mut views = solution.views_with(&assumed);
         views.iter_mut().for_each(|view| view.bars = bars.map_or_else(Vec::new, ErrorBars::amounts));
         views.iter_mut().for_each(|view| view.pictures.captions = Captions::Own);
-        let summarised = |view: StageView<'a>| (view.clone(), Summary::of(&view));
-        let stages = views.into_iter().map(summarised).collect();
+        let stages = views.into_iter().map(|view: StageView<'a>| (view.clone(), Summary::of(&view))).collect();
         let (check, dimensions) = (check::report(&solution.case), sizes::dimensions(solution.case.model(), None));
         let findings = before.into_iter().chain(after).collect();
         let title_block = solution.case.title_block.clone();

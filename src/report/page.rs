@@ -16,10 +16,8 @@ const COLUMN: f64 = 88.0;
 /// Largest height of curves in it \[px of a picture 800 wide\].
 const CURVES: f64 = 330.0;
 
-pub(super) struct Section {
-    pub heading: String,
-    pub content: Markup,
-}
+/// Heading and content.
+pub(super) type Section = (String, Markup);
 
 #[derive(Default)]
 pub(super) struct Row {
@@ -33,12 +31,6 @@ pub(super) struct Row {
 impl<const N: usize> From<[String; N]> for Row {
     fn from(cells: [String; N]) -> Self {
         Self { cells: cells.into(), ..Self::default() }
-    }
-}
-
-impl Section {
-    pub fn new(heading: impl Into<String>, content: Markup) -> Self {
-        Self { heading: heading.into(), content }
     }
 }
 
@@ -77,10 +69,10 @@ impl Report<'_> {
                         section.page.front { (front::content(self)) }
                         section.page { h2 { "Part and stages" } (part::content(self)) }
                         section.page { h2 { "Inputs and sources" } (sections::inputs(self)) }
-                        @for section in self.versus.map(sections::versus).iter() {
-                            section { h2 { (section.heading) } (section.content) }
+                        @for (heading, content) in self.versus.map(sections::versus).iter() {
+                            section { h2 { (heading) } (content) }
                         }
-                        @for section in &folded { details { summary { h2 { (section.heading) } } (section.content) } }
+                        @for (heading, content) in &folded { details { summary { h2 { (heading) } } (content) } }
                     }
                     footer { "Written by " (PROGRAM) "." }
                 }

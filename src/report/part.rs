@@ -70,9 +70,8 @@ fn tools(report: &Report) -> Markup {
         let does = does.into_iter().filter(|(is, _)| *is).map(|(_, what)| what.to_owned());
         Some(joined(does, ", ")).filter(|text| !text.is_empty())
     };
-    let before = stages.iter().map(before).collect();
     let columns = [("Ratio", ratios.collect())].into_iter().chain(sizes);
-    let columns = columns.chain([("Height", heights), ("Before", before)]);
+    let columns = columns.chain([("Height", heights), ("Before", stages.iter().map(before).collect())]);
     by_stage(report, &stages, columns.collect())
 }
 

@@ -16,7 +16,7 @@ pub(super) fn sections(report: &Report) -> Vec<Section> {
             @if let Some(changes) = changes(view) { (changes) }
             @for (chart, caption) in files.filter_map(|file| plot(view, file)) { (figure(&chart, caption)) }
         };
-        Section::new(report.stage(i) + "Results", content)
+        (report.stage(i) + "Results", content)
     };
     report.stages.iter().enumerate().map(section).collect()
 }
@@ -31,8 +31,7 @@ pub(super) fn figures(summary: &Summary, group: Group) -> Markup {
 
 pub(super) fn plot(view: &StageView, file: &str) -> Option<(Chart, &'static str)> {
     let output = OUTPUTS.iter().find(|output| output.file == file)?;
-    let is_torn = file == PART && tears_at(view.stage).is_some();
-    Some((output.chart(view)?, if is_torn { TORN } else { output.about }))
+    Some((output.chart(view)?, if file == PART && tears_at(view.stage).is_some() { TORN } else { output.about }))
 }
 
 /// Measures before and after the release of the tools; the error bar is that of the released part.

@@ -17,7 +17,7 @@ pub(super) fn verdict(report: &Report) -> Section {
         let cells = [word(one.light), one.label.to_owned(), one.statement(), limit, one.advice.clone()];
         Row { light: Some(one.light), ..Row::from(cells) }
     });
-    Section::new("Verdict", table(&["Light", "Question", "Found", "Limit (source)", "What to change"], rows))
+    ("Verdict".to_owned(), table(&["Light", "Question", "Found", "Limit (source)", "What to change"], rows))
 }
 
 pub(super) fn error_bars(report: &Report) -> Option<Section> {
@@ -32,7 +32,7 @@ pub(super) fn error_bars(report: &Report) -> Option<Section> {
         (list(&bars.sentences(), ""))
         @if numbers.iter().any(|own| own.half().is_some()) { (table(&head, numbers.into_iter().map(row))) }
     };
-    Some(Section::new("Error bars", content))
+    Some(("Error bars".to_owned(), content))
 }
 
 /// Bytes that fill the third page in the largest letters, and the sizes of letters \[pt\].
@@ -71,7 +71,7 @@ pub(super) fn solver(report: &Report) -> Section {
         }
         p { "SHA-256 of the case, settings applied: " (sha256([&report.solution.case.text])) }
     };
-    Section::new("Solver", content)
+    ("Solver".to_owned(), content)
 }
 
 fn case(report: &Report) -> Markup {
@@ -107,5 +107,5 @@ pub(super) fn versus(all: &SideBySide) -> Section {
             @for (_, about, chart) in all.charts() { (figure_in_column(Chart { title: String::new(), ..chart }, about)) }
         }
     };
-    Section::new("Compared", content)
+    ("Compared".to_owned(), content)
 }

@@ -118,7 +118,6 @@ fn named(role: Role, arc: &Arc) -> String {
 fn load(model: &Model, tool: &Tool, moved: Point) -> Option<Dimension> {
     let (inner, outer) = extent(tool);
     let middle = 0.5 * (inner + outer.min(model.blank.length.max(inner)));
-    let under = Point::new(middle, 0.5 * tool.role.side() * model.blank.thickness);
     let (of, amount) = match &tool.motion {
         Motion::Gap(gap) => ("Holder gap", Amount::drawn(*gap)),
         Motion::Pressed(press) => {
@@ -127,7 +126,7 @@ fn load(model: &Model, tool: &Tool, moved: Point) -> Option<Dimension> {
         }
         Motion::Fixed | Motion::Travel | Motion::Path(_) => return None,
     };
-    Some(plain(of, amount, under + moved))
+    Some(plain(of, amount, Point::new(middle, 0.5 * tool.role.side() * model.blank.thickness) + moved))
 }
 
 pub(super) fn section(heading: String, model: &Model, start: Option<&Frame>, dimensions: &[Dimension]) -> Section {
@@ -140,5 +139,5 @@ pub(super) fn section(heading: String, model: &Model, start: Option<&Frame>, dim
         (figure(&chart, "the section at the start with its dimensions"))
         (table(&["Dimension", "Value", "Unit"], rows))
     };
-    Section::new(heading, content)
+    (heading, content)
 }

@@ -306,8 +306,7 @@ impl<'a> Computed<'a> {
     /// Judged points of a reference curve with the computed values; a reference may be 0.
     pub fn points(&self, spec: &Spec) -> Result<Vec<Point>, CompareError> {
         let (x, y) = self.columns(spec.quantity);
-        let points = Reference::new(spec)?.points([&x, &y])?;
-        Ok(points.into_iter().filter(|point| point.judged).collect())
+        Ok(Reference::new(spec)?.points([&x, &y])?.into_iter().filter(|point| point.judged).collect())
     }
 
     /// Abscissa and ordinate of a quantity; what a band is compared with is in the ordinate.

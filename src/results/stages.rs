@@ -47,8 +47,7 @@ pub(super) fn files(results: &Results) -> Files {
     let field = |field: Field<StepRecord>| field.filled(extent, at_end(&field.value));
     let peaks = |force: fn(&StepRecord) -> f64| of_stage(&|stage| Some(largest(stage, force)));
     let sizes = of_stage(&|stage| Some(2.0 * tool_sizes::extent(stage.model.tool(Role::Punch)?).1));
-    let blank = 2.0 * results.solution.case.model().blank.length;
-    let before = std::iter::once(blank).chain(sizes.iter().copied());
+    let before = std::iter::once(2.0 * results.solution.case.model().blank.length).chain(sizes.iter().copied());
     let ratios = sizes.iter().zip(before).map(|(now, before)| before / now).collect();
     let radius = |role: Role| {
         of_stage(&|stage| stage.model.tool(role)?.profile.corners().map(|arc| arc.radius).reduce(f64::min))

@@ -117,8 +117,7 @@ pub(super) fn press(view: &StageView) -> Vec<Column> {
 /// Diameter at the edge of a blank of this length \[mm\]; in plane strain the width between both edges.
 pub(super) fn edge_diameter(geometry: Geometry, length: f64, steps: &[StepRecord]) -> Column {
     let label = worded(geometry, "Diameter at the edge", "Width between the edges");
-    let values = steps.iter().map(|s| 2.0 * (length - s.draw_in)).collect();
-    Column::new("edge_diameter", label, Unit::Mm, values)
+    Column::new("edge_diameter", label, Unit::Mm, steps.iter().map(|s| 2.0 * (length - s.draw_in)).collect())
 }
 
 pub(super) fn pressure_cycle(view: &StageView) -> Option<Table> {

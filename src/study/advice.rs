@@ -44,9 +44,8 @@ pub(super) fn advise(solution: &Solution, bars: Option<&ErrorBars>, findings: &m
     if !is_known(solution) || !judgements(findings).any(is_open) {
         return;
     }
-    let most = RUNS.min(WORK / work(solution).max(1));
     let changes = CHANGES.iter().filter_map(|change| Some((change.2(1.0) > 1.0, settings(&solution.case, change)?)));
-    let changes: Vec<_> = changes.take(most).collect();
+    let changes: Vec<_> = changes.take(RUNS.min(WORK / work(solution).max(1))).collect();
     let tried = changes.into_par_iter().with_max_len(1).filter_map(|(is_more, (words, size, settings))| {
         let case = case::parse(&solution.case.text, &solution.case.path.to_string_lossy(), &settings).ok()?;
         let solution = BaseCase::solve(case, watch).ok().filter(is_known)?;

@@ -28,8 +28,7 @@ impl BaseCase {
     pub fn from_text(text: String, path: impl Into<PathBuf>, overrides: Vec<String>) -> Result<Self> {
         let base = Self { text, path: path.into(), overrides, key: String::new() };
         let inputs = Self::input_hash(&base.case(&[])?);
-        let key = short_hash([&base.text, &format!("{:?}", base.overrides), &inputs]);
-        Ok(Self { key, ..base })
+        Ok(Self { key: short_hash([&base.text, &format!("{:?}", base.overrides), &inputs]), ..base })
     }
 
     /// Puts settings before its own overrides.

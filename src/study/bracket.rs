@@ -113,8 +113,7 @@ impl Search {
         let known: Vec<(f64, bool)> = sorted.iter().filter_map(|(x, value)| Some((*x, (*value)? >= 0.0))).collect();
         let Some(&(last, holds)) = known.last() else { return Bracket::Failed };
         // Bisection towards the positive trial that is nearest to the side.
-        let change = known.windows(2).rfind(|pair| pair[0].1 != pair[1].1 && (!self.is_limit || pair[0].1));
-        match change {
+        match known.windows(2).rfind(|pair| pair[0].1 != pair[1].1 && (!self.is_limit || pair[0].1)) {
             _ if self.is_limit && holds && end == Some(last) => Bracket::Everywhere(last),
             _ if self.is_limit && holds => Bracket::Open(last),
             Some(pair) => Bracket::Between([pair[0].0, pair[1].0]),

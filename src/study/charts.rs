@@ -24,8 +24,7 @@ pub(super) type Charts = Vec<(String, Chart)>;
 pub(super) fn decisive(runs: &RunTable, most: usize) -> Vec<usize> {
     let place = |key: &str| runs.responses.iter().position(|response| response_key(response) == key);
     let varies = |place: &usize| {
-        let values = runs.runs.iter().filter(|run| run.is_known()).map(|run| run.numbers[*place]);
-        let (low, high) = bounds(values);
+        let (low, high) = bounds(runs.runs.iter().filter(|run| run.is_known()).map(|run| run.numbers[*place]));
         high.abs().max(low.abs()) * VARIES < high - low
     };
     FIRST.split_whitespace().filter_map(place).filter(varies).take(most).collect()
@@ -46,8 +45,7 @@ pub(super) fn sweep(sweep: &Sweep, runs: &RunTable) -> Charts {
             let (axis, limits) = (&sweep.axes[x], |place: usize| runs.responses[place].quantity.limits);
             let numbers = decisive(runs, PANELS).into_iter().map(|place| (place, limits(place).and_then(|l| l.red)));
             let positions = axis.positions.iter().copied().zip(&runs.runs).collect();
-            let own = axis.own.map(|own| (own, &runs.base));
-            trends(runs, &axis.drawn, positions, numbers.collect(), own, None)
+            trends(runs, &axis.drawn, positions, numbers.collect(), axis.own.map(|own| (own, &runs.base)), None)
         }
         [x, y] => vec![window(sweep, runs, [x, y])],
         _ => Vec::new(),
@@ -83,8 +81,7 @@ pub(super) fn trends(
         let (low, high) = bounds(curve.iter().map(|point| point.0));
         let limit = limit.filter(|_| !curve.is_empty()).map(|y| Series::silent(vec![(low, y), (high, y)], DASHED));
         let largest = curve.iter().map(|point| point.1.abs()).fold(0.0, f64::max);
-        let is_joined = x.names.is_empty() && label.is_none();
-        let line = is_joined.then(|| Series::silent(curve, Style::solid(color(2), 2.4)));
+        let line = (x.names.is_empty() && label.is_none()).then(|| Series::silent(curve, Style::solid(color(2), 2.4)));
         let circle = circled.and_then(|(x, run)| Some(vec![(x, run.response(place)?)]));
         let style = Style::Circles { color: BLACK };
         let circle = circle.map(|points| Series { label: label.map(str::to_owned), points, style });
@@ -127,8 +124,7 @@ fn window(sweep: &Sweep, runs: &RunTable, [x, y]: [usize; 2]) -> Panel {
         let (low, high) = bounds(positions.iter().copied());
         (low - 0.03 * (high - low), high + 0.03 * (high - low))
     });
-    let scale = Scale::Window { height: 430.0, x, y };
-    Panel::new(axes[0].drawn.clone(), axes[1].drawn.clone(), scale).with(series)
+    Panel::new(axes[0].drawn.clone(), axes[1].drawn.clone(), Scale::Window { height: 430.0, x, y }).with(series)
 }
 
 fn contour_lines(values: &[f64], [columns, rows]: [usize; 2], level: f64) -> Vec<Vec<(f64, f64)>> {
@@ -180,8 +176,7 @@ pub(super) fn tornado(sweep: &Sweep, runs: &RunTable) -> Charts {
 }
 
 fn bar(x: (f64, f64), y: (f64, f64), fill: Color, edge: Color) -> Series {
-    let outline = vec![(x.0, y.0), (x.1, y.0), (x.1, y.1), (x.0, y.1)];
-    Series::silent(outline, Style::Area { fill, edge: Some(edge) })
+    Series::silent(vec![(x.0, y.0), (x.1, y.0), (x.1, y.1), (x.0, y.1)], Style::Area { fill, edge: Some(edge) })
 }
 
 pub(super) fn scatter(runs: &RunTable, spreads: &[Spread]) -> Charts {

@@ -73,9 +73,8 @@ pub fn check(candidates: &[Candidate], curves: &[Spec]) -> Result<()> {
         ensure(!candidates[..i].iter().any(is_same), format!("{} is there twice", one.name()), help)?;
         let [own, other] = [first, one].map(|candidate| candidate.case.model().extent());
         let what = format!("{} is {}, {} is {}", first.name(), section_of(own), one.name(), section_of(other));
-        let help = "compare sections of one kind; `depth` in [blank] gives forces of the part";
         let is_alike = (own.geometry(), own.force_unit()) == (other.geometry(), other.force_unit());
-        ensure(is_alike, what, help)?;
+        ensure(is_alike, what, "compare sections of one kind; `depth` in [blank] gives forces of the part")?;
     }
     for curve in curves {
         let points = Computed::nothing(first.case.model()).points(curve);
@@ -144,9 +143,8 @@ impl SideBySide {
                 if let Some((first, own)) = first.filter(|_| i > 0).zip(own) {
                     let base = first.quantity.amount;
                     let difference = own.quantity.amount.value - base.value;
-                    let least = SAME * base.value.abs();
                     // Runs of one mesh err alike: the sum of the bars is on the safe side.
-                    let bars = first.half().zip(own.half()).map(|(a, b)| least.max(a + b));
+                    let bars = first.half().zip(own.half()).map(|(a, b)| (SAME * base.value.abs()).max(a + b));
                     change = Amount { value: difference, bar: bars, ..base }.into();
                     beyond = bars.map_or("", |bars| if difference.abs() > bars { "yes" } else { "no" });
                 }
@@ -155,9 +153,8 @@ impl SideBySide {
             }
         }
         for (i, curve) in self.curves.iter().enumerate() {
-            let label = format!("Misfit of curve {}, r.m.s.", i + 1);
             for (member, misfit) in self.members.iter().filter_map(|member| Some((member, member.misfit(curve)?))) {
-                add(&label, member, misfit.0.into(), misfit.1.into(), "");
+                add(&format!("Misfit of curve {}, r.m.s.", i + 1), member, misfit.0.into(), misfit.1.into(), "");
             }
         }
         table

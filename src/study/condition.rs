@@ -45,8 +45,7 @@ impl Condition {
 
     pub(super) fn target(text: &str) -> Result<Self> {
         let help = "write QUANTITY=VALUE UNIT, such as \"draw_in=8 mm\"";
-        let wrong = || StudyError::new(format!("`{text}` is no target"), help);
-        let (name, value) = split_pair(text).ok_or_else(wrong)?;
+        let (name, value) = split_pair(text).ok_or_else(|| StudyError::new(format!("`{text}` is no target"), help))?;
         Ok(Self { text: name.to_owned(), terms: vec![Term::quantity(name, value, f64::eq)?] })
     }
 
@@ -126,8 +125,7 @@ impl Term {
                 };
                 let what = format!("`{name}` is in {}, not `{limit}`", unit.symbol());
                 let help = format!("write the value as \"{}\"", format!("1.5 {symbol}").trim_end());
-                let value = in_unit(limit, symbol).ok_or_else(|| StudyError::new(what, help))?;
-                *resolved = Some((place, value));
+                *resolved = Some((place, in_unit(limit, symbol).ok_or_else(|| StudyError::new(what, help))?));
                 Ok(())
             }
             Self::Light { row: Some(row), .. } => {

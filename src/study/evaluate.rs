@@ -17,8 +17,7 @@ pub struct Plan {
 
 impl Plan {
     pub(super) fn new(base: BaseCase, decided: &str, columns: Vec<String>, designs: u64) -> Self {
-        let key = short_hash([&base.key, decided]);
-        Self { base, key, columns, designs }
+        Self { key: short_hash([&base.key, decided]), base, columns, designs }
     }
 }
 

@@ -99,8 +99,7 @@ fn draw_ratio(case: &Case) -> Result<Goal> {
     // No finished part, which the case may have, decides on a draw ratio.
     let settings = ["stop.drawn_through=true", "output.count=2", "finished={}"].map(str::to_owned).to_vec();
     let holder = holder_rule(case, radius);
-    let sound = "no tear and no wrinkles";
-    Ok(Goal { settings, holder, ..Goal::keep(format!("{blank} & {travel}"), sound, Side::Largest) })
+    Ok(Goal { settings, holder, ..Goal::keep(format!("{blank} & {travel}"), "no tear and no wrinkles", Side::Largest) })
 }
 
 fn height(case: &Case) -> Result<Goal> {
@@ -111,8 +110,7 @@ fn holder_force(model: &Model) -> Result<Goal> {
     let Some(Motion::Pressed(press)) = model.tool(Role::Holder).map(|holder| &holder.motion) else {
         return missing("a holder with a force: [tools.holder] force");
     };
-    let is_round = model.geometry == Geometry::Axisymmetric;
-    need(is_round, "an axisymmetric flange, for it goes by the wrinkle index")?;
+    need(model.geometry == Geometry::Axisymmetric, "an axisymmetric flange, for it goes by the wrinkle index")?;
     let vary = range("tools.holder.force", [0.1, 10.0].map(|share| share * press.force.largest()), "N") + " log";
     Ok(Goal::keep(vary, "no red and wrinkling not red or amber", Side::Smallest))
 }
@@ -161,8 +159,7 @@ fn bead_force(model: &Model) -> Result<Goal> {
 }
 
 fn restraints(model: &Model, key: &str) -> String {
-    let largest = RESTRAINT * flange_strength(model) * model.blank.thickness;
-    range(key, [0.0, largest], "N/mm")
+    range(key, [0.0, RESTRAINT * flange_strength(model) * model.blank.thickness], "N/mm")
 }
 
 fn one_stage(case: &Case) -> Result<&Model> {

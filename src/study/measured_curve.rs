@@ -61,8 +61,7 @@ pub(super) fn csv_error(name: &str, error: CsvError) -> StudyError {
 }
 
 pub(super) fn unreadable(name: &str, error: &std::io::Error) -> StudyError {
-    let help = files::remedy(error, "give the path of a CSV file");
-    StudyError::new(format!("cannot read {name}: {error}"), help)
+    StudyError::new(format!("cannot read {name}: {error}"), files::remedy(error, "give the path of a CSV file"))
 }
 
 pub(super) fn has_word(header: &str, any: &[&str]) -> bool {

@@ -97,8 +97,7 @@ pub(super) fn responses(solution: &Solution) -> (Vec<Number>, Vec<(String, Strin
 
 pub(super) fn evaluate_design(base: &BaseCase, design: &Design, responses: &[Number], watch: &dyn Watch) -> Evaluated {
     let case = base.case(&design.settings).map_err(|error| error.to_string());
-    let inputs = case.as_ref().map_or_else(|_| String::new(), BaseCase::input_hash);
-    let run = Run::failed(design, inputs, responses.len());
+    let run = Run::failed(design, case.as_ref().map_or_else(|_| String::new(), BaseCase::input_hash), responses.len());
     match case.and_then(|case| BaseCase::solve(case, watch)) {
         Ok(solution) => evaluated(run, &solution, responses),
         Err(reason) => Evaluated { run: Run { reason: one_line(&reason), ..run }, outcome: None },

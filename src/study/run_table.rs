@@ -73,15 +73,13 @@ impl RunTable {
     /// Number of runs with each light, and of those that were not run.
     pub fn lights(&self) -> BTreeMap<&'static str, usize> {
         let count = |light: Option<Light>| self.runs.iter().filter(|run| run.light == light).count();
-        let counts = LIGHTS.map(|light| (light.name(), count(Some(light))));
-        counts.into_iter().chain([("not_run", count(None))]).collect()
+        LIGHTS.map(|light| (light.name(), count(Some(light)))).into_iter().chain([("not_run", count(None))]).collect()
     }
 
     /// First line of the CSV.
     pub fn header(&self) -> Vec<String> {
-        let numbers = self.responses.iter().map(column);
         let first = FIRST.map(str::to_owned).into_iter().chain(self.plan.columns.iter().cloned());
-        first.chain(numbers).chain(LAST.map(str::to_owned)).collect()
+        first.chain(self.responses.iter().map(column)).chain(LAST.map(str::to_owned)).collect()
     }
 
     /// Line of a run.

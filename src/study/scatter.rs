@@ -72,8 +72,7 @@ impl Scatter {
         ensure(!variables.is_empty(), "nothing of the case scatters", help)?;
         ensure(variables.len() <= VARIABLES, format!("{} keys scatter", variables.len()), "128 at most")?;
         check_distinct(variables.iter().map(|uncertain| &uncertain.variable), "is given twice", "leave one out")?;
-        let help = "give 8 to 4294967296, best a power of two";
-        ensure((8..=MOST).contains(&runs), format!("{runs} runs"), help)?;
+        ensure((8..=MOST).contains(&runs), format!("{runs} runs"), "give 8 to 4294967296, best a power of two")?;
         for variable in &variables {
             base.check_any([0.5, 0.001, 0.999].map(|u| variable.settings(&variable.value(u))))?;
         }
@@ -81,8 +80,7 @@ impl Scatter {
         let settings: Vec<String> = absolute.flat_map(|variable| variable.settings(&variable.value(0.5))).collect();
         base.check_effective(&settings)?;
         let columns = variables.iter().map(|uncertain| uncertain.variable.header()).collect();
-        let plan = Plan::new(base, &format!("{variables:?}{runs}{seed}"), columns, runs);
-        Ok(Self { plan, variables, seed })
+        Ok(Self { plan: Plan::new(base, &format!("{variables:?}{runs}{seed}"), columns, runs), variables, seed })
     }
 
     /// Lights by their rows, the most important first, and the spread of every response.
@@ -172,8 +170,7 @@ impl Study for Scatter {
         let failed = runs.runs.iter().filter(|run| !run.is_known()).count();
         let known = format!("{red} of the parts are red, {amber} amber, if the distributions are as given.");
         let mut notes: Vec<String> = (failed < n).then_some(known).into_iter().collect();
-        let left_out = || format!("{failed} runs came to no result and are left out.");
-        notes.extend((1..n).contains(&failed).then(left_out));
+        notes.extend((1..n).contains(&failed).then(|| format!("{failed} runs came to no result and are left out.")));
         notes.extend(self.variables.iter().filter_map(|variable| variable.source.clone()));
         let (tables, charts) = (self.tables(runs, &events, &spreads), charts::scatter(runs, &spreads));
         StudyReport { headline, notes, tables, found: failed < n, charts }

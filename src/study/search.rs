@@ -66,8 +66,7 @@ impl LimitSearch {
         let columns = variables.iter().map(|(variable, _)| variable.header()).collect();
         let plan = Plan::new(base, &format!("{variables:?}{request:?}"), columns, 0);
         let search = Search { range: variables[0].1, tolerance, is_limit, side };
-        let holder = goal.holder.filter(|_| request.vary.is_none());
-        let goal = Goal { holder, ..goal };
+        let goal = Goal { holder: goal.holder.filter(|_| request.vary.is_none()), ..goal };
         let limit = Self { plan, variables, search, values: Vec::new(), aim, goal };
         if request.vary.is_some() {
             limit.plan.base.check_effective(&limit.trial(0, limit.search.at(0.5)).settings)?;
@@ -128,8 +127,7 @@ impl LimitSearch {
         let beside = beside.and_then(|run| self.failure(runs, run)).unwrap_or_default();
         let at = self.variable().display(x);
         let remedy = self.goal.remedy.filter(|_| missed > 0.0).map_or_else(String::new, |(remedy, to)| {
-            let rest = to.map_or(missed, |to| value - to);
-            format!(" Take it to {at} and {remedy} {}.", runs.display(place, rest))
+            format!(" Take it to {at} and {remedy} {}.", runs.display(place, to.map_or(missed, |to| value - to)))
         });
         let (key, lights) = (self.variable().label(), runs.lights_there(best));
         let nearest = joined([format!("{} at {at}{lights}", runs.display(place, value)), beside], ", ");
@@ -137,8 +135,7 @@ impl LimitSearch {
     }
 
     fn trials(&self, runs: &RunTable) -> Vec<Trial> {
-        let target = self.target();
-        let value = |run: &Run| match target {
+        let value = |run: &Run| match self.target() {
             None => self.aim.holds(run).map(|holds| if holds { 1.0 } else { -1.0 }),
             Some((place, wanted)) => run.response(place).filter(|_| !run.tears()).map(|value| value - wanted),
         };
@@ -163,8 +160,7 @@ impl LimitSearch {
         let (key, name, at) = (self.variable().label(), &self.aim.text, |x: f64| self.variable().display(x));
         let [low, high] = self.search.range.ends.map(at);
         let (found, best, _) = self.result(runs);
-        let target = self.target().map(|(place, wanted)| (place, runs.display(place, wanted)));
-        let holds = match (found, target, best) {
+        let holds = match (found, self.target().map(|(place, wanted)| (place, runs.display(place, wanted))), best) {
             (Bracket::Failed, ..) => return format!("{key}: every run from {low} to {high} tears or has no result."),
             (_, Some((place, wanted)), Some(best)) => {
                 let best = &runs.runs[best];

@@ -47,8 +47,7 @@ impl Axis {
             (0..values.len()).map(|i| i as f64).collect()
         });
         let label = |value: &String| number(value).map_or_else(|| value.clone(), |number| variable.display(number));
-        let labels = values.iter().map(label).collect();
-        Ok(Self { variable, values, drawn, positions, labels, own })
+        Ok(Self { labels: values.iter().map(label).collect(), variable, values, drawn, positions, own })
     }
 
     pub fn count(&self) -> usize {
@@ -80,8 +79,7 @@ impl Sweep {
             base.check_effective(&axes.iter().map(setting).collect::<Vec<_>>())?;
         }
         let columns = variables().map(Variable::header).collect();
-        let plan = Plan::new(base, &format!("{vary:?}{one_at_a_time}"), columns, designs);
-        Ok(Self { plan, axes, one_at_a_time })
+        Ok(Self { plan: Plan::new(base, &format!("{vary:?}{one_at_a_time}"), columns, designs), axes, one_at_a_time })
     }
 
     /// Place of a design on every axis; `None` where the case keeps its own value.

@@ -102,8 +102,7 @@ impl TableFile {
         });
         for (name, header, points) in curves {
             let lines: String = points.iter().map(|(x, y)| format!("{x},{y}\n")).collect();
-            let path = self.curves.join(format!("{name}-{}.csv", run.index));
-            write(&path, format!("{header}\n{lines}").as_bytes())?;
+            write(&self.curves.join(format!("{name}-{}.csv", run.index)), format!("{header}\n{lines}").as_bytes())?;
         }
         let line = record(&runs.line(run));
         // Open for one row only: Windows keeps the name of a file that is open.
@@ -183,8 +182,7 @@ impl FromStr for Shard {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let numbers = text.split_once('/').and_then(|(a, b)| Some((a.trim().parse().ok()?, b.trim().parse().ok()?)));
-        match numbers {
+        match text.split_once('/').and_then(|(a, b)| Some((a.trim().parse().ok()?, b.trim().parse().ok()?))) {
             Some((number, count)) if (1..=count).contains(&number) => Ok(Self { number, count }),
             _ => Err("a shard is its number, from 1, and how many there are, as in 7/64".into()),
         }
@@ -204,8 +202,7 @@ pub fn merge(shards: &[PathBuf]) -> Result<(String, u64)> {
         let mut lines = text.split_inclusive('\n');
         let first = lines.next().unwrap_or_default();
         ensure(first.starts_with(BEGINNING), format!("{shown} is no table of a study"), help)?;
-        let is_alike = *header.get_or_insert(first) == first;
-        ensure(is_alike, format!("{shown} has other columns than {before}"), help)?;
+        ensure(*header.get_or_insert(first) == first, format!("{shown} has other columns than {before}"), help)?;
         let columns = fields(first).map_or(0, |fields| fields.len());
         for (i, line) in lines.enumerate() {
             let shown = format!("{shown}, line {}", i + 2);

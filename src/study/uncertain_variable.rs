@@ -65,8 +65,7 @@ impl UncertainVariable {
     }
 
     pub fn settings(&self, value: &str) -> Vec<String> {
-        let law = self.hardening.iter().map(|law| format!("{HARDENING}={law}"));
-        law.chain([self.variable.setting(value)]).collect()
+        self.hardening.iter().map(|law| format!("{HARDENING}={law}")).chain([self.variable.setting(value)]).collect()
     }
 }
 

@@ -65,8 +65,7 @@ impl Csv {
         header.names_columns(rows.first(), name, example)?;
         let columns = header.fields.len();
         if let Some(row) = rows.iter().find(|row| row.fields.len() > columns) {
-            let what = format!("{} numbers stand under {columns} columns", row.fields.len());
-            return refused(row.line, what, DECIMALS);
+            return refused(row.line, format!("{} numbers stand under {columns} columns", row.fields.len()), DECIMALS);
         }
         Ok(Self { header, rows })
     }

@@ -38,8 +38,7 @@ fn of_tool(model: &Model, tool: &Tool) -> Line {
         Role::Die => (size_of(model, low, Amount::drawn), "of the throat"),
         Role::Holder => (size_of(model, low, Amount::drawn), "of the inner edge"),
     };
-    let is_half = model.geometry == Geometry::PlaneStrain && !closed;
-    let of = if is_half { format!("half-width {of}") } else { of.into() };
+    let of = if model.geometry == Geometry::PlaneStrain && !closed { format!("half-width {of}") } else { of.into() };
     let widens = tool.role == Role::Punch && widens(tool, model.travel);
     let mouth = widens.then(|| size_of(model, mouth(tool, model.travel), Amount::drawn));
     let mouth = mouth.map_or_else(String::new, |mouth| format!("{mouth} at the sheet at the full travel"));

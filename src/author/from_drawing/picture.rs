@@ -20,8 +20,7 @@ impl Imported {
         let caption = "Circles: where drawn lines, arcs and splines begin and end. The tools are where they are drawn; the \
                        case moves each along z to where it touches the sheet.";
         let notes = notes.iter().map(|note| format!("{}.", capitalised(note)));
-        let notes = std::iter::once(caption.to_owned()).chain(notes).collect();
         let title = format!("{}: the tools that were read", drawing.file_name().unwrap_or_default().display());
-        sketch(title, self.geometry, &operations, notes)
+        sketch(title, self.geometry, &operations, std::iter::once(caption.to_owned()).chain(notes).collect())
     }
 }

@@ -148,8 +148,7 @@ impl<'a> Cup<'a> {
             (most, metal.total(most), of, or)
         };
         let blank = |height: f64| self::part(self.inputs, part.thickness, part.nose, height).blank(height);
-        let heights = [part.nose + part.thickness, part.height];
-        let ratio = draw_ratio(blank, heights, part.radius, (limit, &of), &or)?;
+        let ratio = draw_ratio(blank, [part.nose + part.thickness, part.height], part.radius, (limit, &of), &or)?;
         let first = metal.draws(ratio).min(most).max(least) + stepped;
         let mut kept = first;
         for draws in [first, first + 1] {

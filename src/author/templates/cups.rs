@@ -59,8 +59,7 @@ pub(super) fn conical(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseErro
     let blank = Picked::nearest(blank_for(height, clearance.value), 0.05, why);
     let draw = Draw { punch: mouth, corner: nose.value, ratio, clearance, shoulder, blank };
     let (mut sizes, _) = draw.values(inputs, sheet)?;
-    let punch = cone(bottom - nose_width, mouth, height, nose.value, angle);
-    sizes.set("profile", punch, &nose.reason("nose: "));
+    sizes.set("profile", cone(bottom - nose_width, mouth, height, nose.value, angle), &nose.reason("nose: "));
     sizes.lengths([("travel", &Picked::by(height, "the depth that is wanted"))]);
     Ok(sizes)
 }

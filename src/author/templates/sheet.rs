@@ -94,6 +94,5 @@ pub(in crate::author) fn mild_steel() -> Material {
 
 /// Material of Swift's law: k \[MPa\], n and offset strain \[–\].
 fn swift([k, n, offset]: [f64; 3]) -> Result<Material, String> {
-    let law = Swift::new(k, n, offset).map_err(|error| error.to_string())?;
-    Ok(Material::plain(Hardening::Swift(law)))
+    Ok(Material::plain(Hardening::Swift(Swift::new(k, n, offset).map_err(|error| error.to_string())?)))
 }

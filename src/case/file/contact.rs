@@ -128,8 +128,7 @@ pub fn beads(written: &[Bead], model: &Model, source: &Source) -> Result<Vec<mod
         let restraining = bead.restraining.as_ref().ok_or_else(|| source.missing(&path, "restraining"))?;
         let path = format!("{path}.restraining");
         let restraining = restraining.curve(&path, "travels", source, |force, _| Ok(force.value()))?;
-        let closing = bead.closing.map_or(0.0, Dimensioned::value);
-        beads.push(model::Bead { at, restraining, closing, round: None });
+        beads.push(model::Bead { at, restraining, closing: bead.closing.map_or(0.0, Dimensioned::value), round: None });
     }
     let closing: f64 = beads.iter().map(|bead| bead.closing * (extent.times() * bead.line(geometry))).sum();
     if let Some(Motion::Pressed(press)) = model.tool(Role::Holder).map(|holder| &holder.motion) {

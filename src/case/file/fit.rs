@@ -32,8 +32,7 @@ pub fn check(model: &Model, source: &Source) -> Result<()> {
         return if model.blank.edge == Edge::Free { Err(source.missing("tools", "die")) } else { Ok(()) };
     };
     let key = |tool: &str, key: &str| {
-        let drawn = source.has(&format!("tools.{tool}.profile"));
-        format!("tools.{tool}.{}", if drawn { "profile" } else { key })
+        format!("tools.{tool}.{}", if source.has(&format!("tools.{tool}.profile")) { "profile" } else { key })
     };
     let throat = throat(die);
     if let Some((throat, punch)) = throat.zip(punch) {

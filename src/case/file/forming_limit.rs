@@ -43,8 +43,7 @@ impl FormingLimit {
     /// Curve of a case that gives none; a note says why there is none.
     pub fn usual(material: &Material, thickness: f64, heat: Option<&Heat>, source: &Source) -> Option<Curve> {
         let sheet = Sheet { material, thickness, temperature: ROOM_TEMPERATURE };
-        let is_superplastic = material.rate.is_some_and(|rate| rate.is_superplastic());
-        let curve = match (heat, is_superplastic, material.gtn) {
+        let curve = match (heat, material.rate.is_some_and(|rate| rate.is_superplastic()), material.gtn) {
             (Some(_), ..) => Err("a hot sheet's hangs on its temperature and rate".to_owned()),
             (_, true, _) => Err("a superplastic sheet thins evenly far beyond any computed one".to_owned()),
             (.., Some(_)) => Err("the voids say when the sheet fails".to_owned()),

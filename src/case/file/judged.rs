@@ -178,9 +178,8 @@ impl CaseFile {
         let what = "a press without force forms nothing";
         source.require(force != Some(0.0), "press.force", what, "write its rating, or leave it out")?;
         let known = press.energy.is_none() || extent != Extent::PerDepth;
-        let what = "in plane strain the length of the part is not known";
         let help = "give blank.depth, or leave it out: the work per mm of depth is in the summary";
-        source.require(known, "press.energy", what, help)?;
+        source.require(known, "press.energy", "in plane strain the length of the part is not known", help)?;
         Ok(Press { force, energy: press.energy.map(Dimensioned::value), drive: self.press_drive(source)? })
     }
 
@@ -229,11 +228,10 @@ impl CaseFile {
             let key = "springback.ring";
             let help = "drop it: a ring is cut from an axisymmetric cup";
             source.require(self.geometry == Geometry::Axisymmetric, key, "a strip has no ring to cut", help)?;
-            let released = self.stages.last().is_some_and(|stage| stage.release().is_some());
             let what = "the last stage takes no tools away: the moment that remains in the wall is not known";
             let help = "add [[stages]] with release = true, and mode = \"elasto_viscoplastic\" with young and poisson to \
                         [material]";
-            source.require(released, key, what, help)?;
+            source.require(self.stages.last().is_some_and(|stage| stage.release().is_some()), key, what, help)?;
         }
         let what = "an angle of 180° or more between the legs is no bend";
         let help = "write the angle between the legs, such as \"90 deg\"";

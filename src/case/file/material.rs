@@ -245,8 +245,7 @@ pub fn checked_mode(mode: Mode, material: &material::Material, path: &str, sourc
 
 /// The only law of a table, its parameters checked; `young` is Young's modulus of the sheet \[MPa\].
 pub fn only<F: Family>(laws: Vec<F>, young: Option<f64>, path: &str, source: &Source) -> Result<F> {
-    let one = <[F; 1]>::try_from(laws);
-    let [law] = one.map_err(|laws| not_one(laws.len(), path, &F::NAMES.join(", "), source))?;
+    let [law] = <[F; 1]>::try_from(laws).map_err(|laws| not_one(laws.len(), path, &F::NAMES.join(", "), source))?;
     let name = law.name();
     law.prepared(young).map_err(|mut error| {
         error.message = format!("{name}: {}", error.message);

@@ -111,9 +111,8 @@ impl CaseFile {
         let stages = stages::stages(self, self.first(source)?, source)?;
         drive::of_stages(&stages, source)?;
         for (i, stage) in stages.iter().enumerate() {
-            let before = i.checked_sub(1).map(|before| &stages[before].model);
             // Values of the case have been checked above: these are the limits of the solver.
-            stage.check(before).map_err(|error| {
+            stage.check(i.checked_sub(1).map(|before| &stages[before].model)).map_err(|error| {
                 let path = if i == 0 { error.what.clone() } else { format!("stages.{}", i - 1) };
                 source.error(&path, error.to_string(), "the solver cannot take this: change the key that is named")
             })?;

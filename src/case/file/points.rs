@@ -74,8 +74,7 @@ pub fn convert(
         }
         rounded
     };
-    let lines = rows.iter().map(|row| row.line).collect();
-    Ok((profile, Points { text, chords, lines }))
+    Ok((profile, Points { text, chords, lines: rows.iter().map(|row| row.line).collect() }))
 }
 
 fn distinct(rows: Vec<Row>, file: &str, source: &Source) -> Vec<Row> {

@@ -129,9 +129,8 @@ impl Section {
                 return counter(*of).mirror();
             }
             Self::Table(_) => {
-                let what = "the profile names neither a file nor a tool to make it from";
                 let help = "write { file = \"die.csv\" }, { offset_of = \"punch\", by = \"1.2 mm\" } or { mirror_of = \"die\" }";
-                return Err(source.error(&path, what, help));
+                return Err(source.error(&path, "the profile names neither a file nor a tool to make it from", help));
             }
         };
         let drawn = Drawn { profile, path, origin };
@@ -169,8 +168,7 @@ fn steps(steps: &[ProfileStep], path: &str, source: &Source) -> Result<Profile> 
         let (arc, moved) = Arc::between(from, end, point(center), turn == Turn::Left);
         require(moved <= ROUNDED, "the ends of an arc are not equally far from its center", "check `center`")?;
         let what = format!("an arc turns by {:.0}°, more than half a circle", arc.sweep.abs().to_degrees());
-        let help = "check `turn`: it is seen with z upward; plots draw z downward";
-        require(arc.sweep.abs() <= HALF_TURN, &what, help)?;
+        require(arc.sweep.abs() <= HALF_TURN, &what, "check `turn`: it is seen with z upward; plots draw z downward")?;
         pieces.push(Piece::Arc(arc));
     }
     for (i, radius) in steps.iter().enumerate().filter_map(|(i, step)| Some((i, step.radius?.value()))) {

@@ -45,8 +45,7 @@ impl Lines<'_> {
 
     fn number(&mut self, key: &'static str, label: &str, amount: impl Into<Option<Amount>>) {
         let Some(amount) = amount.into() else { return };
-        let amount = self.view.half(amount).map_or(amount, |bar| amount.with_bar(bar));
-        self.add(key, label, Value::Number(amount));
+        self.add(key, label, Value::Number(self.view.half(amount).map_or(amount, |bar| amount.with_bar(bar))));
     }
 
     fn plain(&mut self, key: &'static str, label: &str, value: impl Into<Json>) {
@@ -148,8 +147,7 @@ impl Lines<'_> {
         }
         self.number("work_external", "Work of the tools", energy(work.external));
         self.number("work_plastic", "  plastic", energy(work.plastic));
-        let elastic = (model.mode != Mode::Flow).then(|| energy(work.elastic));
-        self.number("work_elastic", "  stored in the sheet", elastic);
+        self.number("work_elastic", "  stored in the sheet", (model.mode != Mode::Flow).then(|| energy(work.elastic)));
         self.number("work_friction", "  friction", energy(work.friction));
         self.number("work_contact", "  stored in contact", energy(work.contact));
         if model.heat.as_ref().is_some_and(|heat| heat.flow.is_some()) {

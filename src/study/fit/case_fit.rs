@@ -183,11 +183,10 @@ pub fn fit_case(request: &CaseFitRequest, threads: usize, watch: &dyn Watch) -> 
         let (file, left_out, all) = (curve.file(), weights.iter().filter(|w| **w == 0.0).count(), points.len());
         let note = format!("{left_out} of {all} points of {file} are left out: the first run ended before them.");
         notes.extend((left_out > 0).then_some(note));
-        let measured = points.iter().map(|p| (p.x, p.reference)).collect();
         let series = [
             Series::new("Run at the start", before, Style::curve(1)),
             Series::new("Fitted run", after, Style::curve(0)),
-            Series::new(file, measured, Style::Circles { color: BLACK }),
+            Series::new(file, points.iter().map(|p| (p.x, p.reference)).collect(), Style::Circles { color: BLACK }),
         ];
         let (x, y) = computed.columns(curve.quantity);
         let name = if charts.is_empty() { "fit".to_owned() } else { format!("fit_{}", charts.len() + 1) };
@@ -196,6 +195,5 @@ pub fn fit_case(request: &CaseFitRequest, threads: usize, watch: &dyn Watch) -> 
     notes.extend((failed > 0).then(|| format!("{failed} runs failed or ended before the curves do.")));
     notes.push(joined(settings.iter().map(|s| format!("--set \"{s}\"")), " "));
     let tables = vec![table(estimates.iter().map(|e| ("case".to_owned(), e)))];
-    let report = StudyReport { headline, notes, tables, found: true, charts };
-    Ok(CaseFit { estimates, rms, ended, text, report })
+    Ok(CaseFit { estimates, rms, ended, text, report: StudyReport { headline, notes, tables, found: true, charts } })
 }

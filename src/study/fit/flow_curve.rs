@@ -147,8 +147,7 @@ fn elastic_line(rows: &[FlowPoint], name: &str, young: Option<f64>) -> Result<(f
         let toe = points.iter().map(|[stress, strain]| strain - stress / young).sum::<f64>() / count as f64;
         return Ok((young, if count < LINE { 0.0 } else { toe }));
     }
-    let what = format!("{name} has {count} points on its elastic line, too few for its slope");
-    ensure(count >= LINE, what, help)?;
+    ensure(count >= LINE, format!("{name} has {count} points on its elastic line, too few for its slope"), help)?;
     match straight_line(points) {
         [toe, compliance, _] if compliance > 0.0 => Ok((1.0 / compliance, toe)),
         _ => fail(format!("{name} begins without an elastic line"), help),

@@ -240,9 +240,8 @@ impl LawFit {
         let estimates = estimates(ranges.iter().map(|range| (range.0, range.1)), &bounds, &minimum, is_weighted);
         // n ln(S/n) + 2k + 2k(k + 1)/(n − k − 1), k with the variance.
         let (n, k) = (rows.len() as f64, ranges.len() as f64 + 1.0);
-        let few = 2.0 * k * (k + 1.0) / (n - k - 1.0).max(0.5);
         let misses = minimum.residuals.iter().zip(&rows).map(|(r, row)| (r * row[2]).powi(2));
-        let aic = n * (minimum.sum() / n).max(ROUND_OFF).ln() + 2.0 * k + few;
+        let aic = n * (minimum.sum() / n).max(ROUND_OFF).ln() + 2.0 * k + 2.0 * k * (k + 1.0) / (n - k - 1.0).max(0.5);
         Ok(Self { kind, hardening, rate, estimates, rms: (misses.sum::<f64>() / n).sqrt(), aic })
     }
 

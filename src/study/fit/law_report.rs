@@ -26,9 +26,8 @@ impl LawFits {
         };
         let rms = |rms: f64, digits| Amount::new(rms, Unit::MPa, Digits::Significant(digits));
         let mut notes: Vec<String> = self.tests.iter().map(|test| test.sentence.clone()).collect();
-        let is_long = self.fitted().map(|test| test.points.len()).sum::<usize>() > MEANS;
         let long = "The search begins with means of the rows. Parameters, errors and misfits are of all rows.";
-        notes.extend(is_long.then(|| long.to_owned()));
+        notes.extend((self.fitted().map(|test| test.points.len()).sum::<usize>() > MEANS).then(|| long.to_owned()));
         let at_end = best.estimates.iter().filter(|e| e.bound.is_some());
         notes.extend(
             at_end.map(|e| format!("{} is at the end of its range: the law does not suit these points.", e.key)),
@@ -66,8 +65,7 @@ impl LawFits {
         });
         let tests = self.tests.iter().enumerate().map(|(i, test)| {
             let style = if i == 0 { Style::Dots { color: BLACK } } else { Style::Triangles { color: color(i) } };
-            let points = test.points.iter().map(|p| (p.strain, p.stress)).collect();
-            Series::new(test.name.as_str(), thinned(points), style)
+            Series::new(test.name.as_str(), thinned(test.points.iter().map(|p| (p.strain, p.stress)).collect()), style)
         });
         let flag = Annotation::flag("end of the points", (end, best.stress(end, None)));
         let strain = Axis::named("True plastic strain", Unit::None);

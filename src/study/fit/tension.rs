@@ -76,8 +76,7 @@ pub(super) fn rows(csv: &Csv, name: &str, reduction: &Reduction) -> Result<(Vec<
         let (at, count, wanted) = (format!("{name}, line {}", row.line), row.fields.len(), csv.header.fields.len());
         let help = "complete the row or take it out; a value that is not known is empty, as in `5.0,`";
         ensure(count >= wanted, format!("{at}: {count} numbers stand under {wanted} columns"), help)?;
-        let curve = number(Some(strain_column))?.zip(number(Some(stress_column))?);
-        let Some((strain, stress)) = curve else { continue };
+        let Some((strain, stress)) = number(Some(strain_column))?.zip(number(Some(stress_column))?) else { continue };
         let what = format!("{at}: a strain of {strain} is none of a tension test");
         ensure(strain.abs() <= LARGEST, what, "in per cent, the header ends so: strain_percent")?;
         let strain = strain_column.logarithmic(strain);

@@ -20,8 +20,7 @@ fn estimate(direction: Direction, levels: &[f64]) -> Contribution {
         [coarse, fine, finest, ..] => Some(((coarse - fine) / (fine - finest)).log2()).filter(|p| p.is_finite()),
         _ => None,
     };
-    let is_near = |p: &f64| direction.order().is_some_and(|q| (0.5 * q..=2.0 * q).contains(p));
-    let believed = order.filter(is_near);
+    let believed = order.filter(|p: &f64| direction.order().is_some_and(|q| (0.5 * q..=2.0 * q).contains(p)));
     let end = |of: fn(f64, f64) -> f64| levels.iter().copied().reduce(of).unwrap_or(0.0);
     let error = match believed {
         Some(p) => EXTRAPOLATED * (levels[0] - levels[1]).abs() / (1.0 - 0.5_f64.powf(p)),

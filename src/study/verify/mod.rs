@@ -76,10 +76,9 @@ pub fn verify(solution: &Solution, watch: &dyn Watch) -> Verification {
     let jobs: Vec<_> = all.filter(|&(direction, times)| counts(direction, times)).collect();
     let (case, done) = (&solution.case, AtomicUsize::new(0));
     let one = |&(direction, times): &(Direction, f64)| {
-        let outcome = direction.refined(&case.stages, times).map(|stages| {
-            let case = Case { stages, ..case.clone() };
-            Outcome::of(&case.solve(&mut &*watch), Some((direction, times)))
-        });
+        let outcome = direction
+            .refined(&case.stages, times)
+            .map(|stages| Outcome::of(&Case { stages, ..case.clone() }.solve(&mut &*watch), Some((direction, times))));
         watch.ran(1 + done.fetch_add(1, Ordering::Relaxed), jobs.len());
         outcome
     };

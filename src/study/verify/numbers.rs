@@ -57,9 +57,8 @@ impl End {
 impl Outcome {
     /// Outcome of a solution, refined in a direction by a factor.
     pub fn of(solution: &Solution, refined: Option<(Direction, f64)>) -> Self {
-        let findings = after(&solution.case, &solution.stages);
         let (direction, times) = refined.map_or((None, 1.0), |(direction, times)| (Some(direction), times));
-        Self { direction, times, ..Self::with_findings(solution, &findings) }
+        Self { direction, times, ..Self::with_findings(solution, &after(&solution.case, &solution.stages)) }
     }
 
     /// Outcome of a run with known [findings](after).

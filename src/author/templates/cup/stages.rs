@@ -57,8 +57,7 @@ impl Cup<'_> {
             (Some(face), _) if is_last => format!("crowned = {{ radius = {wall}, face = {face}, nose = {corner} }}"),
             (_, Some([at, depth])) => {
                 let depth = depth + gap - self.sheet.thickness;
-                let hollow = [at, depth];
-                recessed_punch([radius, nose, 4.0 * self.part.height], hollow, self.part.slope(depth))
+                recessed_punch([radius, nose, 4.0 * self.part.height], [at, depth], self.part.slope(depth))
             }
             _ => format!("flat = {{ radius = {wall}, nose = {corner} }}"),
         }
