@@ -90,6 +90,33 @@
 #![deny(missing_docs)]
 #![forbid(unsafe_code)]
 
+/// Makes an enum whose variants have a name each, and `ALL` of them: a row is a variant, its name and its meaning.
+macro_rules! named {
+    (
+        $(#[$attribute:meta])*
+        pub enum $enum:ident;
+        $(#[$doc:meta])*
+        fn $method:ident;
+        $($variant:ident: $name:literal, $meaning:literal;)*
+    ) => {
+        $(#[$attribute])*
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum $enum {
+            $(#[doc = $meaning] $variant,)*
+        }
+
+        impl $enum {
+            /// All variants in order.
+            pub const ALL: [Self; [$($name),*].len()] = [$(Self::$variant),*];
+
+            $(#[$doc])*
+            pub fn $method(self) -> &'static str {
+                [$($name),*][self as usize]
+            }
+        }
+    };
+}
+
 pub mod assess;
 pub mod author;
 pub mod bead;

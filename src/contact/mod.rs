@@ -40,19 +40,6 @@ pub struct ContactPoint {
     pub shear_yield: f64,
 }
 
-/// Normal and friction law of a tool in a step.
-#[derive(Clone, Copy, Debug)]
-pub struct ContactLaw<'a> {
-    /// Normal law.
-    pub penalty: &'a Penalty,
-    /// Friction law.
-    pub friction: &'a Friction,
-    /// Regularisation s₀ of the slip \[mm\].
-    pub slip_scale: f64,
-    /// Duration of the step \[s\].
-    pub duration: f64,
-}
-
 /// Forces F on the position x of a contact point and Q on its element's thickness t, and their derivatives.
 ///
 /// ```text
@@ -76,14 +63,13 @@ pub struct ContactForce {
     pub matrix: Matrix3<f64>,
 }
 
-impl ContactLaw<'_> {
-    /// Force on a point; zero out of reach.
-    pub fn force(&self, point: &ContactPoint) -> ContactForce {
-        let ContactPoint { facing: n, curvature: c, by_thickness: h, relative, area, .. } = *point;
-        let pressure = self.penalty.towards(point.gap + point.shift, point.carried);
+impl ContactPoint {
+    /// Force on the point in a step of a `duration` \[s\] with the regularisation s₀ = `scale` of the slip \[mm\]; zero out of reach.
+    pub fn force(&self, penalty: &Penalty, friction: &Friction, scale: f64, duration: f64) -> ContactForce {
+        let Self { facing: n, curvature: c, by_thickness: h, relative, area, shear_yield, .. } = *self;
+        let pressure = penalty.towards(self.gap + self.shift, self.carried);
         let (tau, slip) = (turned(n), n.perp(&relative));
-        let (scale, duration, shear_yield) = (self.slip_scale, self.duration, point.shear_yield);
-        let friction = self.friction.at(&Sliding { pressure: pressure.value, slip, scale, duration, shear_yield });
+        let friction = friction.at(&Sliding { pressure: pressure.value, slip, scale, duration, shear_yield });
         let (normal, tangential) = (area * pressure.value, -(area * friction.value));
         let normal_by_gap = area * pressure.slope;
         let by_gap = n * normal_by_gap - tau * (normal_by_gap * friction.by_pressure);

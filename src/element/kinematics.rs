@@ -40,7 +40,7 @@ const SMALLEST_FACE: f64 = 0.25;
 #[derive(Clone, Copy, Debug)]
 pub struct Reference {
     hoop: bool,
-    bending: bool,
+    pub(super) bending: bool,
     dr: f64,
     dz: f64,
     /// Mean rotation θ_m.
@@ -54,7 +54,7 @@ pub struct Reference {
 /// The element in its current configuration, at the end of the step.
 #[derive(Clone, Copy, Debug)]
 pub struct Current {
-    reference: Reference,
+    pub(super) reference: Reference,
     /// ∂ε_s/∂(r₂−r₁, z₂−z₁) = t/l \[1/mm\].
     along: [f64; 2],
     /// ∂ε_θ/∂(r₁+r₂) \[1/mm\].
@@ -214,16 +214,6 @@ impl Current {
     pub fn stretch_rows(&self) -> Vector6 {
         let ([c, s], hoop) = (self.along, self.hoop);
         [hoop - c, -s, 0.0, hoop + c, s, 0.0].into()
-    }
-
-    /// Turn of the element by a transverse `distance` of one end \[rad\].
-    pub fn slope_of(&self, distance: f64) -> f64 {
-        distance / self.reference.length
-    }
-
-    /// Whether the element bends, or is a membrane.
-    pub fn bends(&self) -> bool {
-        self.reference.bending
     }
 }
 

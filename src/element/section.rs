@@ -1,7 +1,7 @@
 //! The section: stresses of thickness points integrated through the thickness into forces and the element's matrix.
 
 use super::Vector6;
-use super::kinematics::{Current, EPS_S, EPS_T, GAMMA, Generalised, KAPPA_S, KAPPA_T, Matrix6};
+use super::kinematics::{Current, EPS_S, EPS_T, GAMMA, Generalised, KAPPA_S, KAPPA_T, Matrix6, Reference};
 use crate::material::PointLaw;
 use crate::material::flow::{StressUpdate, Tangent, Triple};
 use crate::numerics::quadrature::ThicknessPoint;
@@ -87,8 +87,9 @@ impl<L: PointLaw> Section<'_, L> {
         }
         c.fill_upper_triangle_with_lower_triangle();
         let mut matrix = current.stiffness(&c) + current.geometric_stiffness(&s);
-        if !current.bends() && self.slack_tension > 0.0 {
-            let stretched = 0.5 * c[(EPS_S, EPS_S)] * current.slope_of(self.last_move).powi(2);
+        let Reference { bending, length, .. } = current.reference;
+        if !bending && self.slack_tension > 0.0 {
+            let stretched = 0.5 * c[(EPS_S, EPS_S)] * (self.last_move / length).powi(2);
             let slack = stretched.min(self.slack_tension * volume * yield_stress) - s[EPS_S];
             matrix += current.transverse_stiffness(slack.max(0.0));
         }

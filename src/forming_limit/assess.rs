@@ -51,10 +51,10 @@ impl Judged {
     }
 }
 
-/// Place and time at which an element first reached the curve.
+/// Place and time at which an element reaches the curve, between two steps in proportion to the margin, or a neck has lasted.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Reached {
-    /// Time, between two steps in proportion to the margin \[s\].
+pub struct Onset {
+    /// Time \[s\].
     pub time: f64,
     /// Punch travel then \[mm\].
     pub travel: f64,
@@ -68,7 +68,7 @@ pub struct Assessment {
     /// From the axis outward.
     pub elements: Vec<Judged>,
     /// `None` where the limit was not reached.
-    pub reached: Option<Reached>,
+    pub reached: Option<Onset>,
 }
 
 impl Assessment {
@@ -116,17 +116,17 @@ pub fn assess(curve: &Curve, paths: &Paths) -> Option<Assessment> {
     Some(Assessment { elements: paths.s0.iter().enumerate().map(judged).collect(), reached })
 }
 
-fn crossing(curve: &Curve, paths: &Paths, element: usize, s0: f64) -> Option<Reached> {
+fn crossing(curve: &Curve, paths: &Paths, element: usize, s0: f64) -> Option<Onset> {
     let at = |i: usize| {
         let [a, b] = paths.instants[i].strains[element];
         (a.min(b), curve.major_at(a.min(b)) - a.max(b))
     };
     let i = (0..paths.instants.len()).find(|&i| at(i).1 <= 0.0 && curve.knows(at(i).0))?;
     let now = &paths.instants[i];
-    let Some(last) = i.checked_sub(1) else { return Some(Reached { time: now.time, travel: now.travel, s0 }) };
+    let Some(last) = i.checked_sub(1) else { return Some(Onset { time: now.time, travel: now.travel, s0 }) };
     let (margin, before) = (at(last).1, &paths.instants[last]);
     let between = |from: f64, to: f64| from + margin / (margin - at(i).1) * (to - from);
-    Some(Reached { time: between(before.time, now.time), travel: between(before.travel, now.travel), s0 })
+    Some(Onset { time: between(before.time, now.time), travel: between(before.travel, now.travel), s0 })
 }
 
 fn crookedness(path: &[[f64; 2]]) -> f64 {

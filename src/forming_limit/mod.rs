@@ -18,7 +18,7 @@ mod paths;
 mod points;
 mod usual;
 
-pub use assess::{Assessment, CROOKED, Judged, Reached, SHORTEST, assess};
+pub use assess::{Assessment, CROOKED, Judged, Onset, SHORTEST, assess};
 pub use instability::{Hill, Swift, uniform_strain};
 pub use keeler_brazier::KeelerBrazier;
 pub use marciniak_kuczynski::{Limit, MarciniakKuczynski};

@@ -41,7 +41,10 @@ pub fn fillet(points: &[Point], radii: &[f64]) -> Result<Vec<Piece>, FilletTooLa
     }
     let (mut pieces, mut here) = (Vec::new(), points[0]);
     for i in 1..sides.len() {
-        let arc = tangent_arc(&sides[i - 1], &sides[i], radii[i]);
+        let (before, after, radius) = (&sides[i - 1], &sides[i], radii[i]);
+        let turn = turn(before.tangent(true), after.tangent(false));
+        let is_round = radius > 0.0 && turn.abs() >= STRAIGHT;
+        let arc = is_round.then(|| parallel_arc(before, after, radius * turn.signum())).flatten();
         pieces.push(Piece::line(here, arc.map_or(points[i], |arc| arc.at(0.0))));
         here = arc.map_or(points[i], |arc| arc.at(1.0));
         pieces.extend(arc.map(Piece::Arc));
@@ -57,14 +60,6 @@ pub fn with_radius(pieces: &[Piece], radius: f64) -> Option<[Piece; 3]> {
     let corner =
         carriers(before, after).into_iter().find(|at| (at - before.last()).dot(&before.tangent(true)) > 0.0)?;
     fillet(&[before.first(), corner, after.last()], &[0.0, radius, 0.0]).ok()?.try_into().ok()
-}
-
-fn tangent_arc(before: &Piece, after: &Piece, radius: f64) -> Option<Arc> {
-    let turn_at_vertex = turn(before.tangent(true), after.tangent(false));
-    if radius <= 0.0 || turn_at_vertex.abs() < STRAIGHT {
-        return None;
-    }
-    parallel_arc(before, after, radius * turn_at_vertex.signum())
 }
 
 /// Arc from one piece into another, its centre at the distance `side` on the left of both \[mm\].

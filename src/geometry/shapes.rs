@@ -61,9 +61,6 @@ pub struct OpeningError {
 /// Shortest land over the sheet's thickness \[–\]: a shorter one passes between two nodes.
 const LEAST_LAND: f64 = 0.1;
 
-/// Arcs of an entry, each by its radius \[mm\] and its turn \[rad\], and the straight line behind the first \[mm\].
-type Bends = (Vec<[f64; 2]>, f64);
-
 impl Opening {
     /// Checks the sizes for a blank by its length and thickness \[mm\], which a holder may press on the die's face.
     pub fn check(&self, length: f64, thickness: f64, is_held: bool) -> Result<(), OpeningError> {
@@ -110,7 +107,8 @@ impl Opening {
         }
     }
 
-    fn bends(&self) -> Bends {
+    /// Arcs of the entry, each by its radius \[mm\] and its turn \[rad\], and the straight line behind the first \[mm\].
+    fn bends(&self) -> (Vec<[f64; 2]>, f64) {
         let (radius, width) = (self.shoulder, self.mouth() - self.throat);
         match self.entry {
             Entry::Shoulder => (vec![[radius, FRAC_PI_2]], 0.0),

@@ -71,11 +71,6 @@ impl Frame {
         Point::new(p.x * self.unit.1 - self.axis, p.y * self.unit.1)
     }
 
-    /// \[mm\]
-    pub fn length(&self, length: f64) -> f64 {
-        length * self.unit.1
-    }
-
     /// Point in the drawing's unit: `x = 30 mm, y = -6 mm`.
     pub fn place(&self, p: Point) -> String {
         format!("x = {}, y = {}", self.along(p.x + self.axis), self.along(p.y))

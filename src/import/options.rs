@@ -40,20 +40,13 @@ impl DrawingUnit {
     pub const ALL: [&str; 7] = ["mm", "cm", "m", "in", "ft", "mil", "um"];
 }
 
-/// Direction of the punch in the drawing, where y goes up.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Heading {
-    /// Towards smaller y.
-    Down,
-    /// Towards larger y.
-    Up,
-}
-
-impl Heading {
+named! {
+    /// Direction of the punch in the drawing, where y goes up.
+    pub enum Heading;
     /// `down` or `up`.
-    pub fn name(self) -> &'static str {
-        ["down", "up"][self as usize]
-    }
+    fn name;
+    Down: "down", "Towards smaller y.";
+    Up: "up", "Towards larger y.";
 }
 
 impl FromStr for DrawingUnit {
@@ -71,7 +64,7 @@ impl FromStr for Heading {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        [Self::Down, Self::Up].into_iter().find(|way| way.name() == text).ok_or_else(|| "give down, up".to_owned())
+        Self::ALL.into_iter().find(|way| way.name() == text).ok_or_else(|| "give down, up".to_owned())
     }
 }
 

@@ -137,7 +137,7 @@ impl Pen<'_> {
         let center = self.points(side, &[entity.point(10)])?[0];
         let (scale, rotation) = self.similarity()?;
         let drawn_radius = entity.number(40, 0.0);
-        let radius = self.frame.length(scale * drawn_radius);
+        let radius = scale * drawn_radius * self.frame.unit.1;
         let [start, end] = [entity.number(50, 0.0), entity.number(51, 360.0)].map(f64::to_radians);
         let sweep = (end - start).rem_euclid(TAU);
         let place = self.frame.place(center);

@@ -79,27 +79,17 @@ impl PointState {
 /// 20 °C \[K\].
 pub const ROOM_TEMPERATURE: f64 = 20.0 + ZERO_CELSIUS;
 
-/// Matrix of the corrector.
-// H of Sosnowski (1994), equation 9.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize, schemars::JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Iteration {
-    /// Newton's matrix with an independently carried stress.
-    PrimalDual,
-    /// Newton's consistent tangent.
-    Newton,
-    /// Secant (Picard): slow, hardly ever fails.
-    Secant,
-}
-
-impl Iteration {
-    /// All matrices.
-    pub const ALL: [Self; 3] = [Self::PrimalDual, Self::Newton, Self::Secant];
-
+named! {
+    // H of Sosnowski (1994), equation 9.
+    /// Matrix of the corrector.
+    #[derive(serde::Deserialize, schemars::JsonSchema)]
+    #[serde(rename_all = "snake_case")]
+    pub enum Iteration;
     /// Name in case files and tables.
-    pub fn key(self) -> &'static str {
-        ["primal_dual", "newton", "secant"][self as usize]
-    }
+    fn key;
+    PrimalDual: "primal_dual", "Newton's matrix with an independently carried stress.";
+    Newton: "newton", "Newton's consistent tangent.";
+    Secant: "secant", "Secant (Picard): slow, hardly ever fails.";
 }
 
 /// Law of all thickness points in an iteration.
@@ -153,7 +143,7 @@ pub struct Iterate {
     /// Carried stress w of the primal-dual matrix \[MPa\].
     carried: Layer,
     /// Δε \[–\].
-    strain: Triple,
+    pub strain: Triple,
     /// Δt ε̇ at the end of the step, and its metric.
     flow: Layer,
     metric: LayerMetric,
@@ -167,11 +157,6 @@ impl Iterate {
     /// First iterate of a step, which carries the stress w of the step before.
     pub fn start([s, t, shear]: Triple) -> Self {
         Self { carried: [s, t, 0.0, 0.0, shear], ..Self::default() }
-    }
-
-    /// Strain increment of the last evaluation \[–\].
-    pub fn strain(&self) -> Triple {
-        self.strain
     }
 
     /// Carried stress \[MPa\].

@@ -70,7 +70,7 @@ impl Hosford {
 
     /// a \[–\].
     pub fn exponent(&self) -> f64 {
-        self.power.exponent()
+        self.power.exponent
     }
 
     /// Equivalent stress σ̄ \[MPa\].

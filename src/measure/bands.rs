@@ -24,37 +24,21 @@ const LEVEL: f64 = 20.0 * std::f64::consts::PI / 180.0;
 /// Distance from the end of a band that counts as next to the other one, over the thickness \[–\].
 const NEXT_TO: f64 = 3.0;
 
-/// Band of a part by its name in the shop.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Band {
-    /// Level sheet on the punch or on the bottom of a die.
-    Bottom,
-    /// Sheet on a punch that is round from the axis on, or free under gas.
-    Dome,
-    /// Bend around the punch's edge.
-    PunchRadius,
-    /// Steep sheet, free between punch and die or along one of them.
-    Wall,
-    /// Free sheet between a dome and the die.
-    Unsupported,
-    /// Bend in the hollow corner of a die.
-    DieCorner,
-    /// Bend over the die's edge.
-    DieRadius,
-    /// Bend over the edge of a holder within the part.
-    HolderRadius,
-    /// Sheet between holder and die, or flat outside the die radius.
-    Flange,
-}
-
-const NAMES: [&str; 9] =
-    ["bottom", "dome", "punch radius", "wall", "unsupported", "die corner", "die radius", "holder radius", "flange"];
-
-impl Band {
+named! {
+    /// Band of a part by its name in the shop.
+    #[derive(Hash)]
+    pub enum Band;
     /// Name: `punch radius`.
-    pub fn name(self) -> &'static str {
-        NAMES[self as usize]
-    }
+    fn name;
+    Bottom: "bottom", "Level sheet on the punch or on the bottom of a die.";
+    Dome: "dome", "Sheet on a punch that is round from the axis on, or free under gas.";
+    PunchRadius: "punch radius", "Bend around the punch's edge.";
+    Wall: "wall", "Steep sheet, free between punch and die or along one of them.";
+    Unsupported: "unsupported", "Free sheet between a dome and the die.";
+    DieCorner: "die corner", "Bend in the hollow corner of a die.";
+    DieRadius: "die radius", "Bend over the die's edge.";
+    HolderRadius: "holder radius", "Bend over the edge of a holder within the part.";
+    Flange: "flange", "Sheet between holder and die, or flat outside the die radius.";
 }
 
 /// Extent of a band.
@@ -159,13 +143,10 @@ fn is_punch(contact: &NodeContact) -> bool {
 /// Band of each node by the frame in which the tools formed it; `None` if neither punch nor gas did.
 fn bands_of_nodes(stage: &StageSolution, last: &Frame) -> Option<Vec<Band>> {
     let punched = |contacts: &[Option<NodeContact>]| contacts.iter().flatten().any(is_punch);
-    let (mut frame, mut contacts) = (last, contacts(&stage.model, last));
-    if let Some(start) = stage.start.as_ref().filter(|_| stage.model.release.is_some() || !punched(&contacts)) {
-        let at_start = self::contacts(&stage.model, start);
-        if punched(&at_start) {
-            (frame, contacts) = (start, at_start);
-        }
-    }
+    let end = contacts(&stage.model, last);
+    let start = stage.start.as_ref().filter(|_| stage.model.release.is_some() || !punched(&end));
+    let start = start.map(|start| (start, contacts(&stage.model, start)));
+    let (frame, contacts) = start.filter(|(_, contacts)| punched(contacts)).unwrap_or((last, end));
     let formed = punched(&contacts) || !stage.model.gas.is_empty() && contacts.iter().any(Option::is_some);
     formed.then(|| node_bands(stage.model.geometry, frame, &contacts))
 }

@@ -73,7 +73,7 @@ pub struct Shape {
 }
 
 impl Leg {
-    fn of(meridian: &Meridian, Between { ends: [from, to], .. }: Between) -> Self {
+    fn of(meridian: &Meridian, Between { ends: [from, to], .. }: &Between) -> Self {
         let at = |share: f64| meridian.point_at(from + share * (to - from));
         let direction = |from: f64, to: f64| {
             let by = at(to) - at(from);
@@ -99,11 +99,18 @@ impl Leg {
 impl Shape {
     /// Measures a frame.
     pub fn of(frame: &Frame) -> Self {
-        let meridian = Meridian::of(frame);
-        let leg =
-            |find: fn(&Meridian) -> _| meridian.as_ref().and_then(|meridian| Some(Leg::of(meridian, find(meridian)?)));
-        let edge = frame.nodes.last().map(|edge| edge.r);
-        Self { wall: leg(wall), flange: leg(flange), height: part_height(frame), edge }
+        let (height, edge) = (part_height(frame), frame.nodes.last().map(|edge| edge.r));
+        let Some(meridian) = Meridian::of(frame) else { return Self { wall: None, flange: None, height, edge } };
+        let descent = |leg: &Between| {
+            let [from, to] = leg.ends.map(|end| meridian.point_at(end));
+            (from - to).y / (from - to).norm()
+        };
+        let legs = meridian.legs();
+        // Behind a bend that made the sheet descend, and behind one that brought it back.
+        let wall = legs.iter().filter(|leg| leg.sense < 0.0).max_by(|a, b| descent(a).total_cmp(&descent(b)));
+        let flange = legs.last().filter(|leg| leg.sense > 0.0);
+        let [wall, flange] = [wall, flange].map(|leg| leg.map(|leg| Leg::of(&meridian, leg)));
+        Self { wall, flange, height, edge }
     }
 
     /// Angle between the wall's chord and the direction of the punch \[°\]: 0 upright, positive opened.
@@ -136,20 +143,6 @@ impl Shape {
     pub fn curl_radius(&self) -> Option<f64> {
         self.wall.as_ref().map(Leg::radius)
     }
-}
-
-/// Steepest leg behind a bend that made the sheet descend.
-fn wall(meridian: &Meridian) -> Option<Between> {
-    let descent = |leg: &Between| {
-        let [from, to] = leg.ends.map(|end| meridian.point_at(end));
-        (from - to).y / (from - to).norm()
-    };
-    meridian.legs().into_iter().filter(|leg| leg.sense < 0.0).max_by(|a, b| descent(a).total_cmp(&descent(b)))
-}
-
-/// Outermost leg, if behind a bend that brought the sheet back.
-fn flange(meridian: &Meridian) -> Option<Between> {
-    meridian.legs().pop().filter(|leg| leg.sense > 0.0)
 }
 
 /// Outside height of a part along the punch travel \[mm\]: from the bottom's outer face to the flange's, or to the rim's edge.

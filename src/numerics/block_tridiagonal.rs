@@ -45,8 +45,8 @@ impl System {
             columns: vec![[Vector3::zeros(); MAX_SHARED]; nodes],
             rows: vec![[Vector3::zeros(); MAX_SHARED]; nodes],
             corner: Corner::identity(),
-            corner_rhs: Shared::zeros(),
             shared,
+            ..Self::default()
         }
     }
 
@@ -67,10 +67,7 @@ impl System {
             self.columns[i][..self.shared].fill(Vector3::zeros());
             self.rows[i][..self.shared].fill(Vector3::zeros());
         }
-        self.corner = Corner::zeros();
-        for k in self.shared..MAX_SHARED {
-            self.corner[(k, k)] = 1.0;
-        }
+        self.corner = Corner::from_diagonal(&Shared::from_fn(|k, _| if k < self.shared { 0.0 } else { 1.0 }));
         self.corner_rhs = Shared::zeros();
     }
 

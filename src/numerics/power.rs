@@ -3,7 +3,8 @@
 /// x^a and its like for x ≥ 0: by products and square roots where the exponent allows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Power {
-    exponent: f64,
+    /// a.
+    pub exponent: f64,
     /// The exponent where it is whole.
     whole: Option<i32>,
 }
@@ -12,11 +13,6 @@ impl Power {
     /// Power with an exponent of 2 to 1000.
     pub fn new(exponent: f64) -> Self {
         Self { exponent, whole: (exponent.fract() == 0.0).then_some(exponent as i32) }
-    }
-
-    /// a.
-    pub fn exponent(&self) -> f64 {
-        self.exponent
     }
 
     /// x^(a − 2).

@@ -18,18 +18,14 @@ pub(crate) fn plot(view: &StageView) -> Option<Chart> {
         let section = panel(model.geometry, window).with(tools(model, frame, width)).with(sheet);
         Panel { caption, is_small: true, ..section }
     };
-    let states = states(view);
-    let state = |frame: &&Frame| small(view.progress_at(frame), Some(frame), thinning.section(frame, false));
-    let mut panels: Vec<Panel> = states.iter().map(state).collect();
+    let shown = spread(frames, STATES);
+    let start = view.stage.start.as_ref().filter(|_| (1..STATES).contains(&shown.len()));
+    let state = |frame: &Frame| small(view.progress_at(frame), Some(frame), thinning.section(frame, false));
+    let mut panels: Vec<Panel> = start.into_iter().chain(shown).map(state).collect();
     if panels.is_empty() {
         panels.push(small(Amount::size(0.0), None, vec![Series::silent(flat(model), Style::area(color(0)))]));
     } else {
         panels.push(thinning.scale());
     }
     Some(view.chart("sections", panels, [Some(thinning.note()), view.frames_note()].into_iter().flatten()))
-}
-
-fn states<'a>(view: &StageView<'a>) -> Vec<&'a Frame> {
-    let shown = spread(&view.stage.frames, STATES);
-    view.stage.start.as_ref().filter(|_| (1..STATES).contains(&shown.len())).into_iter().chain(shown).collect()
 }

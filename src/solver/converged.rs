@@ -42,7 +42,7 @@ impl<'a> Converged<'a> {
                 None => (iterate.carried(), point.back),
                 Some(memory) => (update.stress, memory.back),
             };
-            let (strain, strain_rate) = (point.strain + update.increment, iterate.strain().map(|strain| strain / dt));
+            let (strain, strain_rate) = (point.strain + update.increment, iterate.strain.map(|strain| strain / dt));
             let (stress, equivalent_rate) = (update.stress, update.increment / step.process_time);
             MaterialPoint { strain, stress, carried, back, strain_rate, equivalent_rate, ..*point }
         });
@@ -131,7 +131,7 @@ fn grow_voids(voids: &Gtn, step: &Step, trial: &Trial, evaluation: &Evaluation, 
         let mut volume = 0.0;
         for (k, (point, at)) in points.iter_mut().zip(&step.context.rule).enumerate() {
             let before = point.strain - evaluation.updates[(e, k)].increment;
-            let now = voids.evolve(metal, point.porosity, before, trial.iterates[(e, k)].strain());
+            let now = voids.evolve(metal, point.porosity, before, trial.iterates[(e, k)].strain);
             point.porosity_rate = (now.porosity - point.porosity) / step.dt;
             point.porosity = now.porosity;
             point.strain = now.strain;

@@ -4,28 +4,21 @@ use super::corrector::{Corrector, Pass, patience};
 use super::*;
 use crate::model::ContactMethod;
 
-/// Starting point of the corrector; when one fails the next is tried before the step is halved.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Start {
-    /// Velocities at the end of the last step.
-    Predictor,
-    /// A few iterations with the secant matrix from rest: no motion but the tools'.
-    Secant,
-    /// Solution with a many times larger cut-off, itself started from rest.
-    Softened,
-    /// Softened start that reduces the cut-off in steps: for a sheet at rest nearly everywhere, as after a trim.
-    SoftenedInSteps,
+named! {
+    /// Starting point of the corrector; when one fails the next is tried before the step is halved.
+    pub enum Start;
+    /// Name in tables.
+    fn key;
+    Predictor: "predictor", "Velocities at the end of the last step.";
+    Secant: "secant", "A few iterations with the secant matrix from rest: no motion but the tools'.";
+    Softened: "softened", "Solution with a many times larger cut-off, itself started from rest.";
+    SoftenedInSteps: "softened_in_steps", "Softened start that reduces the cut-off in steps: for a sheet at rest nearly everywhere, as after a trim.";
 }
 
 impl Start {
     const USUAL: &[Start] = &[Start::Predictor, Start::Secant, Start::Softened];
     /// Order of the first step: nothing has moved yet; velocities of the stage before may help.
     const FIRST: &[Start] = &[Start::Secant, Start::Softened, Start::SoftenedInSteps, Start::Predictor];
-
-    /// Name in tables.
-    pub fn key(self) -> &'static str {
-        ["predictor", "secant", "softened", "softened_in_steps"][self as usize]
-    }
 
     /// Factors on the cut-off for the passes before the last.
     fn softening(self) -> &'static [f64] {

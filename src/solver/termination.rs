@@ -4,7 +4,8 @@
 
 use super::no_equilibrium::reached;
 use super::*;
-use crate::solver::solution::neck::{Neck, Necked, neck};
+use crate::forming_limit::Onset;
+use crate::solver::solution::neck::{Neck, neck};
 use crate::units::Amount;
 
 /// Thickness left at which the sheet has failed, whatever its surroundings do \[–\].
@@ -99,10 +100,10 @@ impl Termination {
     }
 
     /// Neck that has taken over, or goes on past the load maximum, and has lasted, also where the run goes on.
-    pub fn necked(&self, model: &Model, state: &State) -> Option<Necked> {
+    pub fn necked(&self, model: &Model, state: &State) -> Option<Onset> {
         let lasts = |since| Self::lasted(since, model, state) >= 0.0;
         let neck = self.neck.filter(|_| lasts(self.necking_since) || lasts(self.fading_since))?;
-        Some(Necked { s0: neck.s0, time: state.time, travel: state.travel })
+        Some(Onset { s0: neck.s0, time: state.time, travel: state.travel })
     }
 
     /// Excess of the state over each rule in the order of precedence \[–\]; NaN where the rule does not apply.

@@ -122,7 +122,7 @@ impl Trial {
 
     /// Strain increment of thickness point `k` of element `e` in the last evaluation \[–\].
     pub fn strain(&self, e: usize, k: usize) -> Triple {
-        if self.elastoplastic.is_empty() { self.iterates[(e, k)].strain() } else { self.elastoplastic[(e, k)].strain }
+        if self.elastoplastic.is_empty() { self.iterates[(e, k)].strain } else { self.elastoplastic[(e, k)].strain }
     }
 }
 

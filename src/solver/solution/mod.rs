@@ -12,9 +12,8 @@ pub use step_record::StepRecord;
 pub use stop::{Stop, StopKind};
 
 use super::*;
-use crate::forming_limit::Paths;
+use crate::forming_limit::{Onset, Paths};
 use crate::solver::{Remedy, Start};
-use neck::Necked;
 
 /// Closing of the holder on the die over the sheet, before the punch moves.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -73,7 +72,7 @@ pub struct StageSolution {
     /// Strain paths; empty without a forming limit.
     pub paths: Paths,
     /// First neck that took over and lasted, if any.
-    pub neck: Option<Necked>,
+    pub neck: Option<Onset>,
     /// Last state.
     pub end: State,
     /// Reason of the end.

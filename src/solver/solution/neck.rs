@@ -29,17 +29,6 @@ pub struct Neck {
     pub took_over: bool,
 }
 
-/// Neck that took over and lasted.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Necked {
-    /// Initial distance from the axis \[mm\].
-    pub s0: f64,
-    /// Time \[s\].
-    pub time: f64,
-    /// Punch travel \[mm\].
-    pub travel: f64,
-}
-
 /// Smallest and largest distance of the surroundings from a neck \[mm\].
 fn surroundings(model: &Model) -> [f64; 2] {
     let t = model.blank.thickness;

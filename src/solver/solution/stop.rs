@@ -2,67 +2,28 @@
 
 use std::fmt;
 
-/// Kind of end.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum StopKind {
-    /// The model cannot be solved.
-    Refused,
-    /// The run has come to its end.
-    FullTravel,
-    /// The load has fallen from its maximum by the requested share.
-    LoadMaximum,
-    /// The requested share of the sheet lies on its tools.
-    ContactShare,
-    /// The gas pressure is the largest that a free place of the sheet can bear.
-    PressureMaximum,
-    /// A strip of membranes has no restraint.
-    Mechanism,
-    /// The sheet has left the punch as an arch and snaps through.
-    Arched,
-    /// A neck: one place stretches while its surroundings have stopped.
-    Localised,
-    /// Voids have coalesced through the thickness.
-    Coalesced,
-    /// The hole's edge has come to its limit of expansion.
-    EdgeLimit,
-    /// The blank's edge has passed the die's throat.
-    DrawnThrough,
-    /// The rim has left the die's shoulder, as the case requests.
-    LeftDie,
-    /// The holder has closed with its force.
-    HolderClosed,
-    /// Punch and die are too close for the sheet, or squeeze it beyond any equilibrium.
-    ToolsClosed,
-    /// The observer ended the run.
-    Interrupted,
-    /// The run spent its budget of tries.
-    Creeping,
-    /// No equilibrium was found down to the smallest step.
-    NoEquilibrium,
-}
-
-impl StopKind {
+named! {
+    /// Kind of end.
+    pub enum StopKind;
     /// Name in a few words.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Refused => "refused",
-            Self::FullTravel => "full travel",
-            Self::LoadMaximum => "load maximum passed",
-            Self::ContactShare => "contact share reached",
-            Self::PressureMaximum => "pressure maximum reached",
-            Self::Mechanism => "mechanism",
-            Self::Arched => "arched",
-            Self::Localised => "localised",
-            Self::Coalesced => "voids coalesced",
-            Self::EdgeLimit => "edge cracked",
-            Self::DrawnThrough | Self::LeftDie => "drawn through",
-            Self::HolderClosed => "holder closed",
-            Self::ToolsClosed => "tools closed",
-            Self::Interrupted => "interrupted",
-            Self::Creeping => "creeping",
-            Self::NoEquilibrium => "no equilibrium",
-        }
-    }
+    fn name;
+    Refused: "refused", "The model cannot be solved.";
+    FullTravel: "full travel", "The run has come to its end.";
+    LoadMaximum: "load maximum passed", "The load has fallen from its maximum by the requested share.";
+    ContactShare: "contact share reached", "The requested share of the sheet lies on its tools.";
+    PressureMaximum: "pressure maximum reached", "The gas pressure is the largest that a free place of the sheet can bear.";
+    Mechanism: "mechanism", "A strip of membranes has no restraint.";
+    Arched: "arched", "The sheet has left the punch as an arch and snaps through.";
+    Localised: "localised", "A neck: one place stretches while its surroundings have stopped.";
+    Coalesced: "voids coalesced", "Voids have coalesced through the thickness.";
+    EdgeLimit: "edge cracked", "The hole's edge has come to its limit of expansion.";
+    DrawnThrough: "drawn through", "The blank's edge has passed the die's throat.";
+    LeftDie: "drawn through", "The rim has left the die's shoulder, as the case requests.";
+    HolderClosed: "holder closed", "The holder has closed with its force.";
+    ToolsClosed: "tools closed", "Punch and die are too close for the sheet, or squeeze it beyond any equilibrium.";
+    Interrupted: "interrupted", "The observer ended the run.";
+    Creeping: "creeping", "The run spent its budget of tries.";
+    NoEquilibrium: "no equilibrium", "No equilibrium was found down to the smallest step.";
 }
 
 /// Reason for the end of a run.

@@ -3,7 +3,7 @@
 //! Contact acts at points inside the elements ([`Station`](crate::element::surface::Station)), on the sheet's face. Q acts as a
 //! force N t/2 on the membrane strains: the in-plane stress is lower by the mean normal stress p/2.
 
-use crate::contact::{ContactForce, ContactLaw, ContactPoint};
+use crate::contact::{ContactForce, ContactPoint};
 use crate::element::surface::{add_position_second, add_thickness_second};
 use crate::element::{Vector6, kinematics::Matrix6};
 use crate::solver::evaluation::{Contact, ContactPosition, Linearisation};
@@ -37,7 +37,6 @@ pub fn add(step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluat
 fn press(step: &Step, trial: &mut Trial, at: &Linearisation, j: usize, out: &mut Evaluation) -> f64 {
     let Step { context, state, slip_scale, dt, .. } = *step;
     let (tool, displacement) = (&context.tools[j], trial.tools[j]);
-    let law = ContactLaw { penalty: &context.penalty, friction: &tool.friction, slip_scale, duration: dt };
     let reach = context.penalty.reach();
     let mut largest: f64 = 0.0;
     for i in 0..out.contact_positions.len() {
@@ -72,7 +71,7 @@ fn press(step: &Step, trial: &mut Trial, at: &Linearisation, j: usize, out: &mut
             memory.carried = (value + slope * (gap - memory.gap)).max(0.0);
         }
         let start = step.stations()[k].position(&state.nodes[e], &state.nodes[e + 1]);
-        let force = law.force(&ContactPoint {
+        let point = ContactPoint {
             facing: closest.normal,
             curvature: closest.curvature,
             gap,
@@ -83,7 +82,8 @@ fn press(step: &Step, trial: &mut Trial, at: &Linearisation, j: usize, out: &mut
             carried: if at.residual_alone { 0.0 } else { memory.carried },
             shift: memory.shift,
             shear_yield: step.shear_yield[e],
-        });
+        };
+        let force = point.force(&context.penalty, &tool.friction, slip_scale, dt);
         (memory.gap, memory.pressure) = (gap, force.pressure);
         let ContactForce { normal, tangential, slip, pressure, .. } = force;
         let (closing, facing) = (0.5 * going, closest.normal);
