@@ -17,7 +17,8 @@ const PER_QUARTER: f64 = 12.0;
 const LONGEST: f64 = 0.65;
 const ELEMENTS: usize = 600;
 /// Points through the thickness of a strip that flows, an even number with the whole moment, and of an elastic one.
-const LAYERS: [usize; 2] = [10, 11];
+const FLOWING: (usize, ThicknessRule) = (10, ThicknessRule::Parts);
+const ELASTIC: (usize, ThicknessRule) = (11, ThicknessRule::Lobatto);
 /// Pulled length over the path through the bead \[–\], and its share before forces are means: they are steady from a third on.
 const PULLED: f64 = 1.25;
 const BEFORE: f64 = 2.0 / 3.0;
@@ -144,15 +145,10 @@ pub fn stages(case: &Model, bead: &Round, place: f64, way: f64) -> [Stage; 2] {
     let end = at + half + FLATS * t;
     let is_elastic = case.material.elastic.is_some() && case.material.gtn.is_none();
     let size = (FRAC_PI_2 / PER_QUARTER * bead.radius.min(bead.shoulder)).min(LONGEST * t);
-    let blank = Blank {
-        hole: t,
-        elements: (((end - t) / size).ceil() as usize).min(ELEMENTS),
-        grading: Grading::Uniform,
-        layers: LAYERS[usize::from(is_elastic)],
-        rule: if is_elastic { ThicknessRule::Lobatto } else { ThicknessRule::Parts },
-        edge: Edge::Clamped,
-        ..Blank::new(end, t)
-    };
+    let elements = (((end - t) / size).ceil() as usize).min(ELEMENTS);
+    let (layers, rule) = if is_elastic { ELASTIC } else { FLOWING };
+    let (grading, edge) = (Grading::Uniform, Edge::Clamped);
+    let blank = Blank { hole: t, elements, grading, layers, rule, edge, ..Blank::new(end, t) };
     let friction = |role| case.tool(role).or(case.tool(Role::Die)).map_or(0.0.into(), |tool| tool.friction);
     let tool = |role, profile, motion| Tool { role, profile, friction: friction(role), motion };
     let [die, holder] = sections(bead, t, at, end + 2.0 * pull);

@@ -97,12 +97,12 @@ macro_rules! named {
         pub enum $enum:ident;
         $(#[$doc:meta])*
         fn $method:ident;
-        $($variant:ident: $name:literal, $meaning:literal;)*
+        $($(#[$own:meta])* $variant:ident: $name:literal, $meaning:literal;)*
     ) => {
         $(#[$attribute])*
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         pub enum $enum {
-            $(#[doc = $meaning] $variant,)*
+            $(#[doc = $meaning] $(#[$own])* $variant,)*
         }
 
         impl $enum {

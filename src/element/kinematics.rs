@@ -137,17 +137,11 @@ impl Reference {
             }
             strain[GAMMA] = (self.dr * uz - self.dz * ur).atan2(self.dr * dr + self.dz * dz) - rotation;
         }
-        Some(Current {
-            reference: *self,
-            along: [dr, dz].map(|d| d / (length * length)),
-            hoop: if self.hoop { 0.5 / radius } else { 0.0 },
-            bend: [
-                if self.bending { 1.0 / self.length } else { 0.0 },
-                if self.bending && self.hoop { 0.5 * fibre.re / self.radius } else { 0.0 },
-            ],
-            fibre,
-            strain,
-        })
+        let along = [dr, dz].map(|d| d / (length * length));
+        let hoop = if self.hoop { 0.5 / radius } else { 0.0 };
+        let bend_along = if self.bending { 1.0 / self.length } else { 0.0 };
+        let bend_across = if self.bending && self.hoop { 0.5 * fibre.re / self.radius } else { 0.0 };
+        Some(Current { reference: *self, along, hoop, bend: [bend_along, bend_across], fibre, strain })
     }
 }
 

@@ -6,23 +6,19 @@ pub mod surface;
 
 use std::str::FromStr;
 
-/// Kind of section.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Deserialize, schemars::JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Geometry {
-    /// Body of revolution.
+named! {
+    /// Kind of section.
+    #[derive(Default, serde::Deserialize, schemars::JsonSchema)]
+    #[serde(rename_all = "snake_case")]
+    pub enum Geometry;
+    /// Key in case files.
+    fn key;
     #[default]
-    Axisymmetric,
-    /// A section that is the same at every depth; one half of it is solved, symmetric to the other.
-    PlaneStrain,
+    Axisymmetric: "axisymmetric", "Body of revolution.";
+    PlaneStrain: "plane_strain", "A section that is the same at every depth; one half of it is solved, symmetric to the other.";
 }
 
 impl Geometry {
-    /// Key in case files.
-    pub fn key(self) -> &'static str {
-        if self == Self::Axisymmetric { "axisymmetric" } else { "plane_strain" }
-    }
-
     /// Area of a flat sheet up to the distance `r` from the axis or symmetry plane \[mm², or mm per mm of depth\].
     pub fn area(self, r: f64) -> f64 {
         if self == Self::Axisymmetric { std::f64::consts::PI * r * r } else { r }
@@ -33,8 +29,8 @@ impl FromStr for Geometry {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let all = [Self::Axisymmetric, Self::PlaneStrain];
-        all.into_iter().find(|one| one.key() == text).ok_or_else(|| format!("give {}", all.map(Self::key).join(", ")))
+        let geometry = Self::ALL.into_iter().find(|geometry| geometry.key() == text);
+        geometry.ok_or_else(|| format!("give {}", Self::ALL.map(Self::key).join(", ")))
     }
 }
 

@@ -24,11 +24,8 @@ pub struct Vertex {
 impl Profile {
     /// Rise along y at which the closest place of the profile is `apart` below or beside another \[mm\].
     pub fn rise_until(&self, other: &Self, apart: f64) -> f64 {
-        let heights = |profile: &Self| {
-            let points = profile.polyline(0.01);
-            let low = points.iter().map(|p| p.y).fold(f64::INFINITY, f64::min);
-            (low, points.iter().map(|p| p.y).fold(f64::NEG_INFINITY, f64::max))
-        };
+        let widen = |(low, high): (f64, f64), p: &Point| (low.min(p.y), high.max(p.y));
+        let heights = |of: &Self| of.polyline(0.01).iter().fold((f64::INFINITY, f64::NEG_INFINITY), widen);
         let ((_, top), (face, end)) = (heights(self), heights(other));
         // Distances change no faster than the profile rises.
         let mut rise = face - top - apart;

@@ -12,6 +12,7 @@
 
 use crate::geometry::{Piece, Point, Profile, on_axis};
 use crate::model::{Geometry, Model, Role, Tool};
+use crate::numerics::running_sums;
 use crate::solver::solution::{Frame, NodeRecord, StageSolution};
 use std::ops::Range;
 
@@ -76,11 +77,7 @@ impl std::fmt::Display for PartPlace {
 
 /// Length along the deformed mid-surface from the middle to each node \[mm\].
 pub fn along(frame: &Frame) -> Vec<f64> {
-    let mut along = vec![0.0];
-    for pair in frame.nodes.windows(2) {
-        along.push(along[along.len() - 1] + (pair[1].r - pair[0].r).hypot(pair[1].z - pair[0].z));
-    }
-    along
+    running_sums(frame.nodes.windows(2).map(|w| (w[1].r - w[0].r).hypot(w[1].z - w[0].z)))
 }
 
 /// Bands of the part after a stage, from the middle outward; empty if neither punch nor gas formed it.

@@ -37,17 +37,10 @@ impl System {
     /// A system of `nodes` blocks and `shared` ≤ [`MAX_SHARED`] shared unknowns.
     pub fn new(nodes: usize, shared: usize) -> Self {
         assert!(shared <= MAX_SHARED, "at most {MAX_SHARED} shared unknowns");
-        Self {
-            lower: vec![Matrix3::zeros(); nodes],
-            diagonal: vec![Matrix3::zeros(); nodes],
-            upper: vec![Matrix3::zeros(); nodes],
-            rhs: vec![Vector3::zeros(); nodes],
-            columns: vec![[Vector3::zeros(); MAX_SHARED]; nodes],
-            rows: vec![[Vector3::zeros(); MAX_SHARED]; nodes],
-            corner: Corner::identity(),
-            shared,
-            ..Self::default()
-        }
+        let [lower, diagonal, upper] = [(); 3].map(|()| vec![Matrix3::zeros(); nodes]);
+        let [columns, rows] = [(); 2].map(|()| vec![[Vector3::zeros(); MAX_SHARED]; nodes]);
+        let (rhs, corner) = (vec![Vector3::zeros(); nodes], Corner::identity());
+        Self { lower, diagonal, upper, rhs, columns, rows, corner, shared, ..Self::default() }
     }
 
     /// Takes the three diagonals of another system of the same size.

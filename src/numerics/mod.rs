@@ -22,6 +22,13 @@ pub struct ValueAndSlope {
     pub slope: f64,
 }
 
+/// Running sums, beginning with 0.
+pub fn running_sums(values: impl Iterator<Item = f64>) -> Vec<f64> {
+    let mut sums = vec![0.0];
+    values.for_each(|value| sums.push(sums[sums.len() - 1] + value));
+    sums
+}
+
 /// Halves the bracket from `low`, where `is_below` holds, to `high`, where it does not; `low` may be the larger number.
 ///
 /// 50 halvings use up the digits of a bracket of order one.

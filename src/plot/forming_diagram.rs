@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::assess::CAREFUL;
-use crate::forming_limit::{Assessment, Curve, Judged};
+use crate::forming_limit::{Assessment, Curve};
 use crate::table::worded;
 
 /// Points of a drawn path, and number of paths beside that of the least margin.
@@ -90,17 +90,15 @@ fn diagram(view: &StageView, assessment: &Assessment, limit: &Curve) -> Panel {
     let worst_path = path(worst);
     let end = worst_path.first().copied().into_iter().collect();
     series.push(Series::silent(worst_path, Style::solid(color(1), 2.2)));
-    series.push(Series::new(worst_label(&elements[worst]), end, Style::Circles { color: color(1) }));
+    let nearest = format!("Nearest to the limit, {} of it", percent(elements[worst].ratio()));
+    let is_open = elements[worst].is_open();
+    let nearest = if is_open { "Most strained beyond the end of the limit" } else { &nearest };
+    let label = format!("{nearest}, s0 = {}", Amount::place(elements[worst].s0));
+    series.push(Series::new(label, end, Style::Circles { color: color(1) }));
     let measure = if view.pictures.engineering_strain { "engineering" } else { "true" };
     let [x, y] =
         ["Minor", "Major"].map(|which| Axis::named(format!("{which} {measure} strain, mid-surface"), Unit::None));
     Panel::new(x, y, Scale::Window { height: HEIGHT, x: (left, right), y: (least, top) }).with(series)
-}
-
-fn worst_label(worst: &Judged) -> String {
-    let most = format!("Nearest to the limit, {} of it", percent(worst.ratio()));
-    let most = if worst.is_open() { "Most strained beyond the end of the limit" } else { &most };
-    format!("{most}, s0 = {}", Amount::place(worst.s0))
 }
 
 fn percent(share: f64) -> Amount {

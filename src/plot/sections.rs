@@ -16,7 +16,7 @@ const OUTLINED: usize = 200;
 const AROUND: f64 = 0.06;
 /// Outline of a tool far from the sheet \[mm\].
 const FAR: f64 = 1e3;
-const TOOL: Style = Style::Area { fill: PALE, edge: Some(GREY) };
+pub(super) const TOOL: Style = Style::Area { fill: PALE, edge: Some(GREY) };
 
 /// Panel of the r-z plane that shows at least this window \[mm\].
 pub(crate) fn panel(geometry: Geometry, [x, y]: [(f64, f64); 2]) -> Panel {
@@ -46,11 +46,6 @@ pub(crate) fn tools(model: &Model, at: Option<&Frame>, width: f64) -> Vec<Series
         Series::silent(body(tool.role, &tool.profile, moved, SAGITTA * width), TOOL)
     });
     tools.collect()
-}
-
-pub(super) fn whole_tools(model: &Model, at: &Frame, width: f64) -> impl Iterator<Item = Series> {
-    let bodies = tools(model, Some(at), width).into_iter().flat_map(|tool| mirrored(tool.points));
-    bodies.map(|body| Series::silent(body, TOOL))
 }
 
 /// Outline and its mirror image about the axis; one outline if it has an edge there.

@@ -3,13 +3,13 @@
 use super::svg::{WIDTH, sized};
 use super::*;
 
-/// Picture file format.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Format {
-    /// Scalable, for web pages and print.
-    Svg,
-    /// Pixels.
-    Png,
+named! {
+    /// Picture file format.
+    pub enum Format;
+    /// File name extension.
+    fn ending;
+    Svg: "svg", "Scalable, for web pages and print.";
+    Png: "png", "Pixels.";
 }
 
 /// Text in a picture beside axes and legend.
@@ -78,11 +78,6 @@ impl Default for Pictures {
 }
 
 impl Format {
-    /// File name extension.
-    pub fn ending(self) -> &'static str {
-        ["svg", "png"][self as usize]
-    }
-
     /// File name without the extension of a picture; `None` if it has none.
     pub(crate) fn stem(name: &str) -> Option<&str> {
         name.strip_suffix(".svg").or_else(|| name.strip_suffix(".png"))

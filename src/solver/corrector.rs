@@ -26,7 +26,7 @@ pub(super) fn patience(matrix: Iteration) -> usize {
     if matrix == Iteration::Secant { SECANT_PATIENCE } else { 1 }
 }
 
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Outcome {
     pub converged: bool,
     pub interrupted: bool,
@@ -43,16 +43,10 @@ pub(super) struct Outcome {
 }
 
 impl Outcome {
-    pub const BEGUN: Self = Self {
-        converged: false,
-        interrupted: false,
-        iterations: 0,
-        rounds: 1,
-        velocity_norm: f64::INFINITY,
-        increment: 0.0,
-        velocity_left: f64::INFINITY,
-        residual_norm: f64::INFINITY,
-    };
+    pub fn begun() -> Self {
+        let [velocity_norm, velocity_left, residual_norm] = [f64::INFINITY; 3];
+        Self { rounds: 1, velocity_norm, velocity_left, residual_norm, ..Self::default() }
+    }
 
     fn moved(&mut self, increment: f64, whole: bool) {
         self.increment = increment;
@@ -82,7 +76,7 @@ pub(super) struct Corrector<'s, 'o> {
 impl Corrector<'_, '_> {
     pub fn correct(&mut self, pass: Pass) -> Outcome {
         let (Step { model, context, .. }, Pass { matrix, most, .. }) = (self.step, pass);
-        let mut outcome = Outcome::BEGUN;
+        let mut outcome = Outcome::begun();
         let searches = model.mode != Mode::Flow && self.trial.kept.is_none();
         loop {
             // The last evaluation needs no matrix; it is repeated with one if it was not the last.

@@ -1,5 +1,6 @@
 //! Mesh of the flat blank from the axis outward.
 
+use crate::geometry::Arc;
 use crate::model::{Edge, Geometry, Grading, Model, Role};
 use std::f64::consts::FRAC_PI_2;
 
@@ -58,12 +59,8 @@ fn graded(model: &Model, n: usize, zones: &[Zone]) -> Vec<f64> {
     let (wanted, lowest) = (n as f64 * SAMPLES as f64 / length, 1.0 / (LARGEST_RATIO * finest));
     let (mut floor, mut raised) = (1.0 / finest, SAMPLES + 1);
     let scale = loop {
-        let (mut sum, mut below) = (0.0, 0_usize);
-        for &density in &of_zones {
-            let is_above = density > floor;
-            sum += if is_above { density } else { 0.0 };
-            below += usize::from(!is_above);
-        }
+        let below = of_zones.iter().filter(|density| **density <= floor).count();
+        let sum: f64 = of_zones.iter().filter(|density| **density > floor).sum();
         if below == raised || floor <= lowest {
             break wanted / (sum + floor * below as f64);
         }
@@ -91,28 +88,19 @@ fn zones(model: &Model) -> Vec<Zone> {
     }
     // Largest draw-in \[mm\].
     let drawn_in = model.travel * if model.geometry == Geometry::Axisymmetric { 0.6 } else { 1.0 };
-    let mut zones = Vec::new();
-    for tool in &model.tools {
-        for corner in tool.profile.corners() {
-            let sweep = corner.sweep.abs();
-            // A corner much larger than its sweep's arc is a face, not a corner; so is a hemisphere.
-            let size = corner.radius * FRAC_PI_2 / PER_QUARTER;
-            let ends = [corner.at(0.0).x, corner.at(1.0).x];
-            let (inner, outer) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
-            let arc = corner.radius * sweep;
-            let zone = match tool.role {
-                Role::Punch => Zone { from: inner - 0.5 * arc, to: inner + 1.5 * arc, size },
-                // A free blank flows over the shoulder: everything from the shoulder outward will pass it.
-                Role::Die if model.blank.edge == Edge::Free => {
-                    Zone { from: inner, to: length.min(outer + drawn_in), size }
-                }
-                Role::Die => Zone { from: inner - arc, to: outer + arc, size },
-                _ => continue,
-            };
-            if zone.from < length {
-                zones.push(zone);
-            }
-        }
-    }
-    zones
+    let corners = model.tools.iter().flat_map(|tool| tool.profile.corners().map(|corner| (tool.role, corner)));
+    let zone = |(role, corner): (Role, Arc)| {
+        let (size, arc) = (corner.radius * FRAC_PI_2 / PER_QUARTER, corner.radius * corner.sweep.abs());
+        let ends = [corner.at(0.0).x, corner.at(1.0).x];
+        let (inner, outer) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
+        let [from, to] = match role {
+            Role::Punch => [inner - 0.5 * arc, inner + 1.5 * arc],
+            // A free blank flows over the shoulder: everything from the shoulder outward will pass it.
+            Role::Die if model.blank.edge == Edge::Free => [inner, length.min(outer + drawn_in)],
+            Role::Die => [inner - arc, outer + arc],
+            _ => return None,
+        };
+        (from < length).then_some(Zone { from, to, size })
+    };
+    corners.filter_map(zone).collect()
 }

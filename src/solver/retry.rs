@@ -43,7 +43,7 @@ const MOST_ROUNDS: usize = 40;
 impl<'s> Corrector<'s, '_> {
     /// Tries the step from each start until one converges; counts the others in `rejected`.
     pub fn solve(mut self, rejected: &mut usize) -> Result<(Start, Converged<'s>), Outcome> {
-        let mut outcome = Outcome::BEGUN;
+        let mut outcome = Outcome::begun();
         let from_rest = self.step.number == 1 || !self.step.model.settings.predictor;
         for &start in if from_rest { Start::FIRST } else { Start::USUAL } {
             outcome = self.attempt(start);

@@ -65,24 +65,12 @@ impl<'a> RunContext<'a> {
         });
         let tools = tools.collect();
         let gas_shared = model.gas.iter().map(|gas| index(matches!(gas.pressure, Pressure::Rate(_)))).collect();
-        Self {
-            model,
-            tools,
-            gas_shared,
-            shared,
-            penalty: Penalty {
-                stiffness: model.settings.contact_stiffness / model.blank.thickness,
-                smoothing: model.settings.contact_smoothing * model.blank.thickness,
-            },
-            least_force: LEAST_FORCE
-                * model.material.yield_stress(STRENGTH_AT, ROOM_TEMPERATURE)
-                * model.blank.thickness
-                * model.geometry.area(model.blank.length)
-                / model.blank.length,
-            blocks: block_height(model),
-            strength: PlaneStrainStrength::new(model),
-            rule: model.blank.points(),
-        }
+        let (settings, t, length) = (&model.settings, model.blank.thickness, model.blank.length);
+        let penalty = Penalty { stiffness: settings.contact_stiffness / t, smoothing: settings.contact_smoothing * t };
+        let yield_stress = model.material.yield_stress(STRENGTH_AT, ROOM_TEMPERATURE);
+        let least_force = LEAST_FORCE * yield_stress * t * model.geometry.area(length) / length;
+        let (rule, blocks, strength) = (model.blank.points(), block_height(model), PlaneStrainStrength::new(model));
+        Self { model, tools, rule, gas_shared, shared, penalty, least_force, blocks, strength }
     }
 
     pub fn acting_tools(&self) -> impl Iterator<Item = (usize, &ActiveTool)> {

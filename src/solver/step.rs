@@ -5,7 +5,7 @@ use super::run_context::references;
 use super::*;
 use crate::element::surface::Station;
 use crate::material::elastoplastic::{Carried, ElastoplasticLaw, Operators};
-use crate::material::{Surroundings, chaboche, flow::PointState};
+use crate::material::{Surroundings, chaboche::shifting, flow::PointState};
 use crate::solver::state::nonlocal_average::NonlocalAverage;
 
 /// Exponent m of the resistance to flowing faster than the surroundings \[–\]: half of it lets sheets with n = 0.02 alternate.
@@ -217,15 +217,10 @@ fn shear_yield(context: &RunContext, state: &State) -> Vec<f64> {
 
 /// Elastoplastic law of a step of `duration` \[s\].
 pub(super) fn elastoplastic_law(model: &Model, matrix: Iteration, duration: f64) -> ElastoplasticLaw<'_> {
-    let material = &model.material;
+    let Material { hardening, rate, thermal, yield_criterion, chaboche, .. } = &model.material;
+    let hardening = (model.mode == Mode::ElastoViscoplastic).then_some(hardening);
     let elastic = model.elasticity().expect("checked where the model is made");
-    ElastoplasticLaw {
-        hardening: (model.mode == Mode::ElastoViscoplastic).then_some(&material.hardening),
-        operators: Operators::new(elastic, material.yield_criterion),
-        kinematic: chaboche::shifting(material.chaboche),
-        rate: material.rate.as_ref(),
-        softening: material.thermal.as_ref(),
-        secant: matrix == Iteration::Secant,
-        duration,
-    }
+    let (operators, kinematic) = (Operators::new(elastic, *yield_criterion), shifting(*chaboche));
+    let (rate, softening, secant) = (rate.as_ref(), thermal.as_ref(), matrix == Iteration::Secant);
+    ElastoplasticLaw { hardening, operators, kinematic, rate, softening, secant, duration }
 }

@@ -37,16 +37,12 @@ pub(super) struct StepControl<'a> {
 impl<'a> StepControl<'a> {
     pub fn new(model: &'a Model, state: &State, end: Option<f64>) -> Self {
         let settings = &model.settings;
-        Self {
-            model,
-            wanted: settings.first_step * model.duration,
-            given: 0.0,
-            largest: settings.max_step * model.duration,
-            smallest: settings.min_step * model.duration,
-            next_frame: model.frames.partition_point(|frame| state.time > 0.0 && state.time >= frame * (1.0 - 1e-12)),
-            end: end.unwrap_or(f64::INFINITY),
-            search: EndSearch::new(settings.min_step * model.duration),
-        }
+        let steps = [settings.first_step, settings.max_step, settings.min_step];
+        let [wanted, largest, smallest] = steps.map(|share| share * model.duration);
+        let is_past = |frame: &f64| state.time > 0.0 && state.time >= frame * (1.0 - 1e-12);
+        let (next_frame, end) = (model.frames.partition_point(is_past), end.unwrap_or(f64::INFINITY));
+        let search = EndSearch::new(smallest);
+        Self { model, wanted, given: 0.0, largest, smallest, next_frame, end, search }
     }
 
     /// Length of the next step \[s\]; `None` at the end of the run.

@@ -47,19 +47,15 @@ pub(super) struct Trial {
 impl Trial {
     pub fn new(context: &RunContext, state: &State) -> Self {
         let (model, n) = (context.model, state.nodes.len());
-        let constant = model.release == Some(ReleaseStiffness::Constant);
-        let elastoplastic = if model.mode == Mode::Flow { 0 } else { state.thickness.len() };
-        Self {
-            moves: vec![[0.0; 3]; n],
-            tools: state.tools.clone(),
-            gas: state.gas.clone(),
-            iterates: Grid::new(state.thickness.len(), context.rule.len(), Iterate::default()),
-            elastoplastic: Grid::new(elastoplastic, context.rule.len(), PointMemory::default()),
-            contacts: Grid::new(context.tools.len(), state.contact_points(), ContactMemory::default()),
-            softening: 1.0,
-            line: LineSearch::new(n),
-            kept: constant.then(|| System::new(n, context.shared)),
-        }
+        let (elements, layers) = (state.thickness.len(), context.rule.len());
+        let is_constant = model.release == Some(ReleaseStiffness::Constant);
+        let kept = is_constant.then(|| System::new(n, context.shared));
+        let iterates = Grid::new(elements, layers, Iterate::default());
+        let elastoplastic = if model.mode == Mode::Flow { 0 } else { elements };
+        let elastoplastic = Grid::new(elastoplastic, layers, PointMemory::default());
+        let contacts = Grid::new(context.tools.len(), state.contact_points(), ContactMemory::default());
+        let (moves, tools, gas, line) = (vec![[0.0; 3]; n], state.tools.clone(), state.gas.clone(), LineSearch::new(n));
+        Self { moves, tools, gas, iterates, elastoplastic, contacts, softening: 1.0, line, kept }
     }
 
     /// Predicts a step: extrapolated velocities or rest, with prescribed motions.

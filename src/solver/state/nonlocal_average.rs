@@ -3,6 +3,7 @@
 //! A sheet bent under tension thins, and its moment falls with the square of the thickness: without a length scale single
 //! elements bend on and neighbours thin in turn. So an element's section has the mean thickness of its neighbourhood.
 
+use crate::numerics::running_sums;
 use crate::solver::*;
 
 /// Length of a neighbourhood along the meridian over the initial thickness \[–\]. From 1 to 2 the thinnest place of deep cups is
@@ -29,7 +30,7 @@ impl NonlocalAverage {
     }
 
     fn over(lengths: impl Iterator<Item = f64>, reach: f64) -> Self {
-        let ends = summed(lengths);
+        let ends = running_sums(lengths);
         let whole = ends[ends.len() - 1];
         let inner = &ends[1..ends.len() - 1];
         let place = |at: f64| (inner.partition_point(|end| *end <= at.abs()), at);
@@ -50,7 +51,7 @@ impl NonlocalAverage {
 
     /// Mean of a value per element over each window; the sheet is mirrored at the axis and ends at the edge.
     pub fn means(&self, of: impl Fn(usize) -> f64) -> Vec<f64> {
-        let sums = summed(self.ends.windows(2).enumerate().map(|(e, pair)| (pair[1] - pair[0]) * of(e)));
+        let sums = running_sums(self.ends.windows(2).enumerate().map(|(e, pair)| (pair[1] - pair[0]) * of(e)));
         let up_to = |element: usize, at: f64| {
             let sum = sums[element] + (at.abs() - self.ends[element]) * of(element);
             if at < 0.0 { -sum } else { sum }
@@ -66,13 +67,6 @@ impl NonlocalAverage {
     pub fn section_thickness(&self, thickness: &[f64]) -> Vec<f64> {
         self.means(|e| thickness[e])
     }
-}
-
-/// Running sums, beginning with 0.
-fn summed(values: impl Iterator<Item = f64>) -> Vec<f64> {
-    let mut sums = vec![0.0];
-    values.for_each(|value| sums.push(sums[sums.len() - 1] + value));
-    sums
 }
 
 /// Trust: 1.5 mm on either side of the middle of an element of 1 mm are itself and its two neighbours; half of the
