@@ -98,30 +98,20 @@ fn sentence(stages: &[StageSolution], findings: &[Finding], failures: &[FailureM
     }
 }
 
-/// Failure mode of a part or a design; the order is that of importance.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum FailureMode {
-    /// The sheet tears or necks.
-    Tears,
-    /// The flange wrinkles.
-    Wrinkles,
-    /// The press lacks force or energy.
-    Press,
-    /// Any other red finding.
-    Other,
-    /// No result: invalid case, no equilibrium, or interrupted.
-    NoResult,
+named! {
+    /// Failure mode of a part or a design; the order is that of importance.
+    #[derive(PartialOrd, Ord)]
+    pub enum FailureMode;
+    /// Name in files.
+    fn key;
+    Tears: "tears", "The sheet tears or necks.";
+    Wrinkles: "wrinkles", "The flange wrinkles.";
+    Press: "press", "The press lacks force or energy.";
+    Other: "other", "Any other red finding.";
+    NoResult: "no_answer", "No result: invalid case, no equilibrium, or interrupted.";
 }
 
 impl FailureMode {
-    /// All modes, in their order.
-    pub const ALL: [Self; 5] = [Self::Tears, Self::Wrinkles, Self::Press, Self::Other, Self::NoResult];
-
-    /// Name in files.
-    pub fn key(self) -> &'static str {
-        ["tears", "wrinkles", "press", "other", "no_answer"][self as usize]
-    }
-
     /// Mode of a name in files.
     pub fn from_key(key: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|mode| mode.key() == key)

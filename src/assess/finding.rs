@@ -4,25 +4,17 @@ use super::*;
 use crate::units::{ErrorBar, Limits};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
-/// State of a finding against its limit.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, serde::Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Light {
-    /// Not judged: the case gives no limit.
-    Grey,
-    /// Within the limit.
-    Green,
-    /// Near it, or a guess that matters.
-    Amber,
-    /// Beyond it.
-    Red,
-}
-
-impl Light {
+named! {
+    /// State of a finding against its limit.
+    #[derive(PartialOrd, Ord, serde::Serialize)]
+    #[serde(rename_all = "snake_case")]
+    pub enum Light;
     /// Name in text.
-    pub fn name(self) -> &'static str {
-        ["grey", "green", "amber", "red"][self as usize]
-    }
+    fn name;
+    Grey: "grey", "Not judged: the case gives no limit.";
+    Green: "green", "Within the limit.";
+    Amber: "amber", "Near it, or a guess that matters.";
+    Red: "red", "Beyond it.";
 }
 
 /// Earliest time of a finding.

@@ -79,9 +79,8 @@ impl MarciniakKuczynski {
     }
 
     pub(super) fn curve(&self, sheet: &Sheet) -> Result<Curve, LawError> {
-        let limits = ratios(sheet.material.yield_criterion, 8, 10)
-            .map(|beta| self.limit(sheet, beta))
-            .collect::<Result<Vec<_>, _>>()?;
+        let limits = ratios(sheet.material.yield_criterion, 8, 10).map(|beta| self.limit(sheet, beta));
+        let limits = limits.collect::<Result<Vec<_>, _>>()?;
         let points = limits.iter().map(|limit| [limit.minor, limit.major]).collect();
         let rate = sheet.material.rate.map(|_| format!(" at a strain rate of {} 1/s", Amount::norm(self.strain_rate)));
         let note = format!(

@@ -186,10 +186,8 @@ fn area(chain: &Chain) -> f64 {
 
 /// Pieces before and after the point with the largest first measure, and within `join` of it the largest second one.
 fn split(chain: &Chain, by: Measure, join: f64) -> [Vec<(Piece, Rc<Source>)>; 2] {
-    let points = chain
-        .pieces()
-        .enumerate()
-        .flat_map(|(i, piece)| [piece.first(), piece.last()].into_iter().chain(piece.poles()).map(move |p| (i, p)));
+    let of_piece = |piece: &Piece| [piece.first(), piece.last()].into_iter().chain(piece.poles());
+    let points = chain.pieces().enumerate().flat_map(|(i, piece)| of_piece(piece).map(move |p| (i, p)));
     let points: Vec<(usize, Point)> = points.collect();
     let most = points.iter().map(|(_, p)| by(*p)[0]).fold(f64::NEG_INFINITY, f64::max);
     let first = points.into_iter().filter(|(_, p)| by(*p)[0] >= most - join);

@@ -1,7 +1,7 @@
 //! Meridian of a frame: slope, curvature, bends and the legs between them.
 
 use crate::geometry::{Point, turn};
-use crate::numerics::interpolated;
+use crate::numerics::{interpolated, running_sums};
 use crate::solver::solution::Frame;
 use std::ops::Range;
 
@@ -63,12 +63,8 @@ impl Meridian {
         if steps.len() < 2 || !steps.iter().all(is_line) {
             return None;
         }
-        let mut slope: Vec<f64> = Vec::with_capacity(steps.len());
-        let mut before = Point::new(1.0, 0.0);
-        for step in &steps {
-            slope.push(slope.last().unwrap_or(&0.0) + turn(before, *step));
-            before = *step;
-        }
+        let before = std::iter::once(Point::x()).chain(steps.iter().copied());
+        let slope = running_sums(before.zip(&steps).map(|(before, step)| turn(before, *step))).split_off(1);
         let thickness = frame.nodes.iter().map(|n| n.thickness).sum::<f64>() / frame.nodes.len() as f64;
         if !(thickness > 0.0 && thickness.is_finite()) {
             return None;

@@ -1,10 +1,7 @@
 //! Thickness, porosity, damage, temperature and strains over the blank at the kept frames, and thickness along the part.
 
 use super::*;
-use crate::plot::fields::element::{
-    DAMAGE, POROSITY, S0, S0_ALONG, STRAIN_HOOP, STRAIN_MERIDIONAL, STRAIN_THICKNESS, TEARING_INDEX_NOW, TEMPERATURE,
-    THICKNESS,
-};
+use crate::plot::fields::element::*;
 
 /// Least span of the axis of a thickness over the initial one and a damage \[–\], a porosity \[–\], a temperature \[K\] and a strain \[–\].
 const LEAST: f64 = 0.02;

@@ -50,13 +50,8 @@ impl Solution {
         let findings = assess::by_stage(before, &self.stages).into_iter().enumerate();
         let view = |(i, findings): (usize, Vec<Finding>)| {
             let name = case.stage_label(i).map_or_else(|| case.name.clone(), |label| format!("{}/{label}", case.name));
-            StageView {
-                case: Some(case),
-                findings,
-                ring: case.springback.ring.filter(|_| i + 1 == case.stages.len()),
-                wall: self.wall,
-                ..StageView::alone(&name, &self.stages[i])
-            }
+            let ring = case.springback.ring.filter(|_| i + 1 == case.stages.len());
+            StageView { case: Some(case), findings, ring, wall: self.wall, ..StageView::alone(&name, &self.stages[i]) }
         };
         let mut views: Vec<_> = findings.map(view).collect();
         if let Some(first) = views.first_mut() {

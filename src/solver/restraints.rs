@@ -73,16 +73,13 @@ pub struct Seal {
 impl Seal {
     /// Seal at the distance `within` from the axis or symmetry plane \[mm\].
     pub fn find(state: &State, within: f64) -> Self {
-        for (e, w) in state.nodes.windows(2).enumerate().rev() {
-            let (from, to) = (w[0][0], w[1][0]);
-            if to <= within {
-                return Self { element: e + 1, share: 0.0 };
-            }
-            if from < within {
-                return Self { element: e, share: (within - from) / (to - from) };
-            }
-        }
-        Self { element: 0, share: 0.0 }
+        let begins_inside = |ends: &[Node]| ends[1][0] <= within || ends[0][0] < within;
+        let Some(element) = state.nodes.windows(2).rposition(begins_inside) else {
+            return Self { element: 0, share: 0.0 };
+        };
+        let [from, to] = [element, element + 1].map(|i| state.nodes[i][0]);
+        let share = (within - from) / (to - from);
+        if to <= within { Self { element: element + 1, share: 0.0 } } else { Self { element, share } }
     }
 
     /// Share of an element inside the seal \[–\].

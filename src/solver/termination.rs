@@ -118,10 +118,9 @@ impl Termination {
             };
             within.min(beyond) / model.blank.thickness
         });
-        let localised = self
-            .neck
-            .filter(|_| model.stop.localised)
-            .map_or(f64::NAN, |neck| Self::lasted(self.necking_since, model, state).max(1.0 - neck.share / GONE));
+        let lasted = Self::lasted(self.necking_since, model, state);
+        let neck = self.neck.filter(|_| model.stop.localised);
+        let localised = neck.map_or(f64::NAN, |neck| lasted.max(1.0 - neck.share / GONE));
         let edge_limit = model.blank.edge_limit.filter(|_| model.stop.edge_limit).map(|limit| limit.expansion);
         let drop = model.stop.load_drop.filter(|_| self.peak > 0.0);
         [

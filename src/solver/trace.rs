@@ -84,25 +84,24 @@ pub enum NoSuchStep {
 /// Fails when the run has no such step.
 pub fn trace(stages: &[Stage], request: &TraceRequest, observer: &mut dyn Observer) -> Result<Trace, NoSuchStep> {
     let &TraceRequest { stage, step, .. } = request;
-    let missing = |text: String| Err(NoSuchStep::Missing(text));
+    let missing = |last: Option<&StageSolution>, text: String| match last {
+        Some(last) if last.stop.kind == StopKind::Interrupted => Err(NoSuchStep::Interrupted),
+        _ => Err(NoSuchStep::Missing(text)),
+    };
     if stage == 0 || stage > stages.len() {
-        return missing(format!("there is no stage {stage}: the case has {}, counted from 1", stages.len()));
+        return missing(None, format!("there is no stage {stage}: the case has {}, counted from 1", stages.len()));
     }
     let mut replay = Replay { request, stage: 0, steps: 0, begin: None, dt: 0.0, is_settled: false, observer };
     let solutions = solve(stages, &mut replay);
     let Replay { begin, dt, .. } = replay;
     let Some(run) = solutions.get(stage - 1) else {
-        return match solutions.last() {
-            Some(last) if last.stop.kind == StopKind::Interrupted => Err(NoSuchStep::Interrupted),
-            _ => missing(format!("stage {stage} is not reached: the run ends in stage {}", solutions.len())),
-        };
+        let what = format!("stage {stage} is not reached: the run ends in stage {}", solutions.len());
+        return missing(solutions.last(), what);
     };
-    let (Some((model, before)), Some(record)) = (begin, step.checked_sub(1).and_then(|step| run.steps.get(step)))
-    else {
-        return match run.stop.kind {
-            StopKind::Interrupted => Err(NoSuchStep::Interrupted),
-            _ => missing(format!("there is no step {step}: the run has {}, counted from 1", run.steps.len())),
-        };
+    let record = step.checked_sub(1).and_then(|step| run.steps.get(step));
+    let (Some((model, before)), Some(record)) = (begin, record) else {
+        let what = format!("there is no step {step}: the run has {}, counted from 1", run.steps.len());
+        return missing(Some(run), what);
     };
     let tolerance = request.tolerance.unwrap_or(model.settings.tolerance);
     let own = [model.settings.iteration];

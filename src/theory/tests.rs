@@ -68,10 +68,8 @@ fn flow(u: Random) -> Symbols {
     let mut known = Symbols::default();
     known.numbers(r"\Delta t, \Delta t_-, \omega, c_T", [dt, before, weight, thermal.at(point.temperature)]);
     let Surroundings { exponent, increment, floor } = surroundings;
-    known.numbers(
-        r"\dot\varepsilon_0, \dot\varepsilon_n, \dot\varepsilon_{\min}",
-        [cutoff, increment, floor].map(|e| e / dt),
-    );
+    let rates = [cutoff, increment, floor].map(|e| e / dt);
+    known.numbers(r"\dot\varepsilon_0, \dot\varepsilon_n, \dot\varepsilon_{\min}", rates);
     known.numbers(r"m_n, \bar\varepsilon_b, \bar\varepsilon", [exponent, start, start + update.increment]);
     known.numbers(r"\dot{\bar\varepsilon}_-, \sigma_y", [size(past) / dt, update.yield_stress]);
     known.numbers(r"\sigma_h, \sigma_h'", [hardened.stress, hardened.slope]);

@@ -41,10 +41,8 @@ pub(super) const INCH: f64 = 25.4;
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 
 const UNITS: &[(Dimension, &[(&str, f64)])] = &[
-    (
-        LENGTH,
-        &[("mm", 1.0), ("cm", 10.0), ("m", 1000.0), ("um", 1e-3), ("in", INCH), ("mil", 1e-3 * INCH), ("ft", 304.8)],
-    ),
+    (LENGTH, &[("mm", 1.0), ("cm", 10.0), ("m", 1000.0), ("um", 1e-3)]),
+    (LENGTH, &[("in", INCH), ("mil", 1e-3 * INCH), ("ft", 304.8)]),
     (LENGTH, &[("inch", INCH), ("inches", INCH), ("\"", INCH), ("″", INCH)]),
     (FORCE, &[("N", 1.0), ("kN", 1e3), ("MN", 1e6), ("lbf", LBF), ("kgf", 9.806_65), ("kp", 9.806_65)]),
     // The ratings of presses mostly are metric.

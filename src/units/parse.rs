@@ -90,11 +90,8 @@ pub fn parse(text: &str) -> Result<Parsed, QuantityError> {
 fn split_number(text: &str) -> Option<(f64, &str)> {
     let is_part = |(_, c): &(usize, char)| c.is_ascii_digit() || "+-−.eE".contains(*c);
     let characters: Vec<(usize, char)> = text.char_indices().take(400).take_while(is_part).collect();
-    characters
-        .iter()
-        .rev()
-        .map(|(i, c)| i + c.len_utf8())
-        .find_map(|end| Some((text[..end].replace('−', "-").parse().ok()?, &text[end..])))
+    let mut ends = characters.iter().rev().map(|(i, c)| i + c.len_utf8());
+    ends.find_map(|end| Some((text[..end].replace('−', "-").parse().ok()?, &text[end..])))
 }
 
 /// The number of sheet thicknesses in "6 t"; `None` of any other text.

@@ -19,15 +19,10 @@ fn law(hardening: &Hardening) -> ElastoplasticLaw<'_> {
 
 fn start(law: &ElastoplasticLaw) -> Carried {
     let shifts = if law.kinematic.is_none() { 0.0 } else { 1.0 };
-    let at = Carried {
-        strain: 0.03,
-        temperature: crate::material::flow::ROOM_TEMPERATURE,
-        stress: [60.0, -25.0, 8.0],
-        dilation: 4e-3,
-        back: [[20.0, 5.0, -3.0], [4.0, -6.0, 1.0]].map(|back| back.map(|a| shifts * a)),
-        yield_stress: 0.0,
-        surroundings: Surroundings { exponent: 0.005, increment: 5e-3, floor: 1e-4 },
-    };
+    let (strain, temperature, stress) = (0.03, crate::material::flow::ROOM_TEMPERATURE, [60.0, -25.0, 8.0]);
+    let back = [[20.0, 5.0, -3.0], [4.0, -6.0, 1.0]].map(|back| back.map(|a| shifts * a));
+    let surroundings = Surroundings { exponent: 0.005, increment: 5e-3, floor: 1e-4 };
+    let at = Carried { strain, temperature, stress, dilation: 4e-3, back, surroundings, yield_stress: 0.0 };
     Carried { yield_stress: law.yield_stress(&at), ..at }
 }
 

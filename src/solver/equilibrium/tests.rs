@@ -11,12 +11,8 @@ pub fn bare(geometry: Geometry, theory: Theory, length: f64, thickness: f64, ele
     let layers = if theory == Theory::Membrane { 1 } else { 5 };
     let blank = Blank { elements, grading: Grading::Uniform, theory, layers, ..Blank::new(length, thickness) };
     let material = Material::plain(Hardening::Swift(Swift::new(500.0, 0.2, 1e-3).expect("valid")));
-    Model {
-        geometry,
-        timed: true,
-        settings: Settings { iteration: Iteration::Newton, ..Settings::default() },
-        ..Model::new(blank, material, vec![], 1.0)
-    }
+    let settings = Settings { iteration: Iteration::Newton, ..Settings::default() };
+    Model { geometry, timed: true, settings, ..Model::new(blank, material, vec![], 1.0) }
 }
 
 pub const NEWTON: Linearisation =
@@ -39,19 +35,15 @@ fn model(geometry: Geometry, theory: Theory) -> Model {
     let tool = |role, profile, motion| Tool { role, profile, friction: 0.12.into(), motion };
     let force = if geometry == Geometry::Axisymmetric { 9e3 } else { 120.0 };
     let press = Press { force: force.into(), stiffness: 30.0 };
-    Model {
-        tools: vec![
-            tool(Role::Punch, Profile::flat_punch(12.0, 4.0, t), Motion::Travel),
-            tool(Role::Die, Profile::die(13.3, 4.0, t), Motion::Fixed),
-            tool(Role::Holder, Profile::holder(17.3, t), Motion::Pressed(press)),
-        ],
-        beads: vec![Bead { at: 21.0, restraining: 20.0.into(), closing: 5.0, round: None }],
-        gas: vec![Gas { face: Face::Upper, pressure: 3.0.into(), within: 15.0 }],
-        travel: 6.0,
-        duration: 6.0,
-        frames: vec![6.0],
-        ..bare(geometry, theory, 24.0, t, 12)
-    }
+    let tools = vec![
+        tool(Role::Punch, Profile::flat_punch(12.0, 4.0, t), Motion::Travel),
+        tool(Role::Die, Profile::die(13.3, 4.0, t), Motion::Fixed),
+        tool(Role::Holder, Profile::holder(17.3, t), Motion::Pressed(press)),
+    ];
+    let beads = vec![Bead { at: 21.0, restraining: 20.0.into(), closing: 5.0, round: None }];
+    let gas = vec![Gas { face: Face::Upper, pressure: 3.0.into(), within: 15.0 }];
+    let [travel, duration] = [6.0; 2];
+    Model { tools, beads, gas, travel, duration, frames: vec![6.0], ..bare(geometry, theory, 24.0, t, 12) }
 }
 
 fn formed(model: &Model) -> State {

@@ -1,7 +1,5 @@
 //! End of a run.
 
-use std::fmt;
-
 named! {
     /// Kind of end.
     pub enum StopKind;
@@ -27,7 +25,8 @@ named! {
 }
 
 /// Reason for the end of a run.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("{text}")]
 pub struct Stop {
     /// Kind.
     pub kind: StopKind,
@@ -57,16 +56,7 @@ impl Stop {
 
     /// True if the sheet or the tools ended the run, not the numerics or the user.
     pub fn is_physical(&self) -> bool {
-        let is_lost = matches!(
-            self.kind,
-            StopKind::Refused | StopKind::Interrupted | StopKind::Creeping | StopKind::NoEquilibrium
-        );
-        !self.is_complete() && !is_lost
-    }
-}
-
-impl fmt::Display for Stop {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.text)
+        use StopKind::{Creeping, Interrupted, NoEquilibrium, Refused};
+        !self.is_complete() && !matches!(self.kind, Refused | Interrupted | Creeping | NoEquilibrium)
     }
 }

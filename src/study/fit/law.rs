@@ -10,17 +10,15 @@ use crate::study::{Result, StudyError, Watch, ensure};
 use statrs::statistics::Statistics;
 use std::{cmp::Ordering, str::FromStr};
 
-/// A hardening law of the solver.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum HardeningKind {
-    /// k (offset + ε)^n.
-    Swift,
-    /// saturation − (saturation − initial) exp(−rate ε).
-    Voce,
-    /// Voce's law with a power of ε.
-    HockettSherby,
-    /// initial + k ε^n.
-    Ludwik,
+named! {
+    /// A hardening law of the solver.
+    pub enum HardeningKind;
+    /// Name as people write it.
+    fn label;
+    Swift: "Swift", "k (offset + ε)^n.";
+    Voce: "Voce", "saturation − (saturation − initial) exp(−rate ε).";
+    HockettSherby: "Hockett-Sherby", "Voce's law with a power of ε.";
+    Ludwik: "Ludwik", "initial + k ε^n.";
 }
 
 /// Strain \[–\], stress and its standard deviation or 1 \[MPa\], strain rate \[1/s\].
@@ -30,17 +28,9 @@ type Row = [f64; 4];
 type ParameterRange = (&'static str, &'static str, f64, f64);
 
 impl HardeningKind {
-    /// All of them.
-    pub const ALL: [Self; 4] = [Self::Swift, Self::Voce, Self::HockettSherby, Self::Ludwik];
-
     /// Name on the command line.
     pub fn name(self) -> String {
         self.label().to_lowercase()
-    }
-
-    /// Name as people write it.
-    pub fn label(self) -> &'static str {
-        ["Swift", "Voce", "Hockett-Sherby", "Ludwik"][self as usize]
     }
 
     fn parameters(self) -> Vec<ParameterRange> {
