@@ -122,9 +122,8 @@ impl Drawing {
         let around = passed.fold(flat, Bounds::with);
         let profile = tool.profile.cut_to([around.low, around.high], MARGIN * (around.high - around.low).max());
         let profile = profile.shifted(frames().last().map_or(0.0, up));
-        let color = COLORS[tool.role as usize];
         let name = format!("{prefix}{}", tool.role.name().to_uppercase());
-        self.layers.push(Layer::of_pieces(name, color, profile.pieces().to_vec()));
+        self.layers.push(Layer::of_pieces(name, COLORS[tool.role as usize], profile.pieces().to_vec()));
     }
 
     fn trim(&mut self, prefix: &str, r: f64, solved: Option<&StageSolution>) {

@@ -111,8 +111,7 @@ pub fn assess(curve: &Curve, paths: &Paths) -> Option<Assessment> {
         Judged { s0, minor, major, hoop_is_major, limit, beyond_end, of_edge, crookedness }
     };
     let inner = paths.s0.iter().enumerate().filter(|(e, _)| !paths.is_of_edge(*e));
-    let crossings = inner.filter_map(|(e, &s0)| crossing(curve, paths, e, s0));
-    let reached = crossings.min_by(|a, b| a.time.total_cmp(&b.time));
+    let reached = inner.filter_map(|(e, &s0)| crossing(curve, paths, e, s0)).min_by(|a, b| a.time.total_cmp(&b.time));
     Some(Assessment { elements: paths.s0.iter().enumerate().map(judged).collect(), reached })
 }
 

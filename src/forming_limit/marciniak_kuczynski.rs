@@ -80,8 +80,7 @@ impl MarciniakKuczynski {
 
     pub(super) fn curve(&self, sheet: &Sheet) -> Result<Curve, LawError> {
         let limits = ratios(sheet.material.yield_criterion, 8, 10).map(|beta| self.limit(sheet, beta));
-        let limits = limits.collect::<Result<Vec<_>, _>>()?;
-        let points = limits.iter().map(|limit| [limit.minor, limit.major]).collect();
+        let points = limits.collect::<Result<Vec<_>, _>>()?.iter().map(|limit| [limit.minor, limit.major]).collect();
         let rate = sheet.material.rate.map(|_| format!(" at a strain rate of {} 1/s", Amount::norm(self.strain_rate)));
         let note = format!(
             "Forming limit: Marciniak and Kuczyński with f₀ = {groove} (an assumption unless it was fitted), by the hardening \
@@ -125,8 +124,7 @@ impl MarciniakKuczynski {
     fn worst_angle(&self, sheet: &Sheet, beta: f64) -> Result<f64, LawError> {
         let step = Self::first_step(sheet);
         let at = |angle: f64| {
-            let strain = Groove::new(*self, sheet, beta, angle).neck(step)?;
-            Ok::<f64, LawError>(strain.unwrap_or(f64::INFINITY))
+            Ok::<f64, LawError>(Groove::new(*self, sheet, beta, angle).neck(step)?.unwrap_or(f64::INFINITY))
         };
         let apart = Self::STEEPEST / Self::ANGLES as f64;
         let mut best = (f64::INFINITY, 0.0);

@@ -94,7 +94,7 @@ pub struct Curve {
     /// Whether nothing is known to the right of its last point.
     ends: bool,
     /// Minor and major logarithmic strain \[–\], the minor rising.
-    points: Vec<[f64; 2]>,
+    pub points: Vec<[f64; 2]>,
     /// True if the program chose it, because the case gives none.
     pub is_usual: bool,
     /// Name.
@@ -138,11 +138,6 @@ impl Curve {
     /// Whether the limit is known at a minor strain \[–\].
     pub fn knows(&self, minor: f64) -> bool {
         self.ends_at().is_none_or(|end| minor <= end)
-    }
-
-    /// Minor and major logarithmic strain of its points \[–\].
-    pub fn points(&self) -> &[[f64; 2]] {
-        &self.points
     }
 
     /// The major strain at which the sheet necks, at a minor strain; beyond the curve's end what it surely bears \[–\].

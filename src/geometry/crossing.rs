@@ -73,8 +73,7 @@ impl Piece {
         let far_from_ends = |p: &Point| (p - self.first()).norm() > near && (p - self.last()).norm() > near;
         let mut parts = vec![*self];
         for point in common(self, &axis).into_iter().filter(far_from_ends) {
-            let on = |part: &Piece| (part.closest_point(point) - point).norm() < 1e-6;
-            if let Some(i) = parts.iter().position(on) {
+            if let Some(i) = parts.iter().position(|part| (part.closest_point(point) - point).norm() < 1e-6) {
                 parts.splice(i..=i, parts[i].split(point).into_iter().flatten().collect::<Vec<_>>());
             }
         }

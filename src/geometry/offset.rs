@@ -45,19 +45,17 @@ impl Profile {
     pub fn offset(&self, by: f64) -> Result<Self, OffsetError> {
         let mut moved = Vec::new();
         for piece in self.pieces() {
-            let middle = piece.sample(2)[1];
             match (piece.parallel(by), piece) {
                 (Some(beside), _) if beside.length() > super::profile::GAP => moved.push(beside),
                 (_, Piece::Arc(a)) if a.radius < by * (1.0 - 1e-9) => {
-                    return Err(OffsetError::TooTight { radius: a.radius, at: middle });
+                    return Err(OffsetError::TooTight { radius: a.radius, at: piece.sample(2)[1] });
                 }
                 // shrunk to a point
                 _ => {}
             }
         }
         let tips = self.end_tangents().into_iter().filter(|(p, _)| on_axis(p)).map(|(p, t)| (p, turn_on_axis(t)));
-        let inner = self.vertices().map(|v| (v.point, v.turn));
-        if let Some((at, _)) = inner.chain(tips).find(|(_, turn)| *turn > KINK) {
+        if let Some((at, _)) = self.vertices().map(|v| (v.point, v.turn)).chain(tips).find(|(_, turn)| *turn > KINK) {
             return Err(OffsetError::TooTight { radius: 0.0, at });
         }
         let mut line = self.corner_on_axis(by, true).into_iter().collect::<Vec<_>>();

@@ -293,8 +293,7 @@ impl Piece {
     }
 
     pub(crate) fn bounds(&self) -> Bounds {
-        let ends = Bounds { low: self.first(), high: self.first() }.with(self.last());
-        self.poles().fold(ends, Bounds::with)
+        self.poles().fold(Bounds { low: self.first(), high: self.first() }.with(self.last()), Bounds::with)
     }
 
     pub(crate) fn poles(&self) -> impl Iterator<Item = Point> + use<> {

@@ -75,8 +75,7 @@ impl Profile {
         let vertex_normals = vertex_normals.collect();
         let ends = [pieces[0].first(), pieces[n - 1].last()];
         let closes = (ends[1] - ends[0]).norm() <= GAP;
-        let ends = ends.map(|end| (!closes && !on_axis(&end)).then_some(end));
-        Ok(Self { pieces, vertex_normals, ends })
+        Ok(Self { pieces, vertex_normals, ends: ends.map(|end| (!closes && !on_axis(&end)).then_some(end)) })
     }
 
     pub(super) fn connected(pieces: impl IntoIterator<Item = Piece>) -> Self {
@@ -186,8 +185,7 @@ impl Profile {
 
     /// Profile moved by `dz` \[mm\] along z.
     pub fn shifted(&self, dz: f64) -> Self {
-        let up = Point::new(0.0, dz);
-        Self::connected(self.pieces().iter().map(|piece| piece.image(|p| p + up, |angle| angle, 1.0)))
+        Self::connected(self.pieces().iter().map(|piece| piece.image(|p| p + Point::new(0.0, dz), |angle| angle, 1.0)))
     }
 
     /// Line walked the other way: the sheet's side becomes the tool's.

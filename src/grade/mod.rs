@@ -134,8 +134,7 @@ impl Band {
     /// True uniform strain: of the uniform elongation, else n, else [`UNIFORM_SHARE`] of the elongation \[–\].
     pub fn uniform_strain(&self) -> Option<f64> {
         let n = || at(&self.n, None);
-        let share = || Some((UNIFORM_SHARE * at(&self.a, None)?).ln_1p());
-        at(&self.ag, None).map(f64::ln_1p).or_else(n).or_else(share)
+        at(&self.ag, None).map(f64::ln_1p).or_else(n).or_else(|| Some((UNIFORM_SHARE * at(&self.a, None)?).ln_1p()))
     }
 
     /// Swift's law with the tensile strength and the uniform strain of the band, and its proof stress, or the least that such

@@ -77,8 +77,7 @@ pub(super) fn exploded(drawing: &Drawing) -> Result<Vec<Placed<'_>>> {
     let blocks = drawing.blocks.iter().filter(|block| !block.is_external);
     let blocks = blocks.map(|block| (block.name.to_lowercase(), block)).collect();
     let mut explosion = Explosion { blocks, ..Explosion::default() };
-    let identity = Placement { matrix: Matrix2::identity(), shift: Point::zeros() };
-    explosion.entities(&drawing.entities, identity, None)?;
+    explosion.entities(&drawing.entities, Placement { matrix: Matrix2::identity(), shift: Point::zeros() }, None)?;
     Ok(explosion.placed)
 }
 

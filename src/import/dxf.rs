@@ -129,8 +129,7 @@ impl Entity {
     }
 
     fn read(&mut self, part: Part, (code, value): (i32, &str), line: usize) -> Result {
-        let is_number = matches!(code, 10..=59 | 70 | 71 | 210..=239);
-        if is_number && (self.is_curve() || self.source.kind == "INSERT") {
+        if matches!(code, 10..=59 | 70 | 71 | 210..=239) && (self.is_curve() || self.source.kind == "INSERT") {
             let source = &self.source;
             let damaged =
                 |what: String| ImportError::new(format!("{source} cannot be read: line {line} {what}"), AGAIN).at(line);
@@ -162,8 +161,7 @@ pub(super) fn decode(bytes: &[u8]) -> Result<Cow<'_, str>> {
     ensure(bytes.len() <= LARGEST, || ImportError::new(what(), "save the tools' layers only"))?;
     let others = [("AutoCAD Binary DXF", "the file is a binary DXF"), ("AC10", "the file is a DWG, not a DXF")];
     if let Some((_, what)) = others.into_iter().find(|(begin, _)| bytes.starts_with(begin.as_bytes())) {
-        let help = "save the drawing as DXF in text form (ASCII), version R12 or later";
-        return Err(ImportError::new(what, help));
+        return Err(ImportError::new(what, "save the drawing as DXF in text form (ASCII), version R12 or later"));
     }
     if let Ok(text) = std::str::from_utf8(bytes) {
         return Ok(text.trim_start_matches('\u{feff}').into());

@@ -55,10 +55,9 @@ pub(super) fn layers(entities: &[Placed], options: &Options, frame: &Frame) -> R
 }
 
 pub(super) fn nothing_drawn(all: &str) -> ImportError {
-    let what = format!("no line, arc, polyline or spline is on a tool's layer: there are {all}");
     let help = "say which is which, for example --layer NAME=punch --layer OTHER=die; layers whose names hold punch, die or \
                 holder are found by themselves, in German and French too";
-    ImportError::new(what, help)
+    ImportError::new(format!("no line, arc, polyline or spline is on a tool's layer: there are {all}"), help)
 }
 
 /// Number of the operation and name of a layer that `export` draws beside the tools: 20 and `sheet` of `OP20_SHEET`.

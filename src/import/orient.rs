@@ -92,13 +92,12 @@ pub(super) fn section(tool: ToolId, chain: Chain, heading: Heading, frame: &Fram
         *i == 0 || !Rc::ptr_eq(&chain.pieces[i - 1].1, &chain.pieces[*i].1) || chain.source(*i).kind != "SPLINE"
     };
     let firsts = (0..chain.pieces.len()).filter(is_drawn).map(|i| chain.pieces[i].0.first());
-    let ends = firsts.chain([chain.last()]).map(turned).collect();
     let sources = chain.pieces.iter().map(|(_, source)| source);
     let layers: BTreeSet<&str> = sources.clone().map(|source| source.layer.as_str()).collect();
     let drawn: BTreeSet<(&str, usize)> = sources.map(|source| (source.block.as_str(), source.line)).collect();
     let layers = list(layers.into_iter().map(|layer| format!("\"{}\"", cut(layer))));
     let made_of = format!("{} of layer {layers}", count_entities(drawn.len()));
-    Ok(Section { role: tool.role, profile, ends, made_of })
+    Ok(Section { role: tool.role, profile, ends: firsts.chain([chain.last()]).map(turned).collect(), made_of })
 }
 
 /// Chain from the axis outward; with both ends equally far, the one nearer to the sheet is the inner end.
@@ -114,11 +113,9 @@ fn outward(tool: ToolId, chain: Chain, heading: Heading, frame: &Frame) -> Resul
         let what = format!(
             "the sheet lies on neither side of the {tool}'s line: it begins and ends at one distance from the axis, {place}"
         );
-        let help = "draw the face that meets the sheet too, from its inner to its outer end";
-        return Err(ImportError::new(what, help));
+        return Err(ImportError::new(what, "draw the face that meets the sheet too, from its inner to its outer end"));
     }
-    let begins_at_sheet = tool.role.side() * ahead > 0.0;
-    Ok(if begins_at_sheet { chain } else { chain.reversed() })
+    Ok(if tool.role.side() * ahead > 0.0 { chain } else { chain.reversed() })
 }
 
 fn is_outline(chain: &Chain) -> bool {
@@ -127,8 +124,7 @@ fn is_outline(chain: &Chain) -> bool {
 
 /// Direction of the punch from places: punch and holder are behind the sheet, the die is ahead of it.
 fn by_places(chains: &[(ToolId, Chain)]) -> Option<(Heading, String)> {
-    let dies = chains.iter().filter(|(tool, _)| tool.role == Role::Die);
-    let mut pairs = dies.flat_map(|(die, of_die)| {
+    let mut pairs = chains.iter().filter(|(tool, _)| tool.role == Role::Die).flat_map(|(die, of_die)| {
         let others = chains.iter().filter(|(tool, _)| tool.role.side() < 0.0 && tool.operation == die.operation);
         others.map(move |(tool, chain)| (tool, chain.bounds(), of_die.bounds()))
     });

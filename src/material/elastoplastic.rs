@@ -118,8 +118,7 @@ fn each(entry: impl Fn(usize) -> f64) -> Triple {
 }
 
 fn response(stress: Triple, own: Symmetric, increment: f64, yield_stress: f64) -> Response {
-    let update = StressUpdate { stress, increment, yield_stress, ..StressUpdate::default() };
-    (update, Tangent { own, ..Tangent::default() })
+    (StressUpdate { stress, increment, yield_stress, ..StressUpdate::default() }, Tangent { own, ..Tangent::default() })
 }
 
 struct Return {

@@ -122,8 +122,7 @@ impl PointLaw for FlowLaw<'_> {
             (None, YieldCriterion::Hill48(hill)) => iterate.flow(self, hill, point, e, spread),
             (None, YieldCriterion::Hosford(hosford)) => iterate.flow(self, hosford, point, e, spread),
             (Some(voids), criterion) => {
-                let condition = voids.condition(criterion.quadratic(), point.porosity);
-                iterate.flow(self, &condition, point, e, [0.0; 2])
+                iterate.flow(self, &voids.condition(criterion.quadratic(), point.porosity), point, e, [0.0; 2])
             }
         }
     }
@@ -218,8 +217,7 @@ impl Iterate {
         *self = Self { carried: self.carried, strain, flow, metric, fluidity: f, hardening: h, inverse_square };
         let (stress, moment) = ([f * g[0], f * g[1], f * g[4]], [f * g[2], f * g[3]]);
         let work_across = moment[0] * spread[0] + moment[1] * spread[1];
-        let update = StressUpdate { stress, moment, increment: hardening, yield_stress, work_across };
-        (update, self.tangent(law, point))
+        (StressUpdate { stress, moment, increment: hardening, yield_stress, work_across }, self.tangent(law, point))
     }
 
     /// C = (1 + a) (f A + g⊗b + b⊗g) of the last evaluation.

@@ -121,14 +121,13 @@ impl Hosford {
         let (y, r) = (1.0 - x, self.quadratic.ratio);
         let (own, between) = (self.power.less_two(x.abs()), r * self.power.less_two(y));
         let across = y * between;
-        let inverse_square = self.power.inverse_square((1.0 + x * x * own + y * across) * self.inverse_weight);
         let turn = if w.is_some() { -first * sum / (sum + first_between) } else { 0.0 };
         let rate = if turn.abs() > SAME {
             (x - start) / turn
         } else {
             (1.0 + across) / ((self.exponent() - 1.0) * (own + sum * between))
         };
-        [x, rate, inverse_square]
+        [x, rate, self.power.inverse_square((1.0 + x * x * own + y * across) * self.inverse_weight)]
     }
 
     /// Residual, its part that goes with 1 + β, and a step of Halley's method towards the root; Newton's at the ends.

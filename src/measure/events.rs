@@ -99,8 +99,7 @@ pub fn events(stage: &StageSolution) -> Vec<Event> {
         let gap = |step: &StepRecord| step.edge_gap[Role::Die as usize];
         let near = |step: &StepRecord| gap(step) < OFF * stage.model.blank.thickness;
         // A rim off the die is on neither its shoulder nor in its throat, however steep the nearest place is.
-        let meets = steps.iter().position(near).unwrap_or(steps.len());
-        let first = steps.get(meets).map_or(0.0, |step| step.die_slope);
+        let first = steps.iter().find(|step| near(step)).map_or(0.0, |step| step.die_slope);
         let steeper = |step: &StepRecord, by: f64| step.die_slope > by && step.die_slope > first + STEEPER;
         let on_shoulder = steps.iter().position(|step| near(step) && steeper(step, STEEPER));
         at(EventKind::RimMeetsDie, comes(stage, gap));

@@ -56,11 +56,14 @@ pub(super) struct Stretch {
 impl Meridian {
     /// Meridian of a frame; `None` with fewer than three nodes, coincident or infinite nodes, or no thickness.
     pub(super) fn of(frame: &Frame) -> Option<Self> {
-        let up = -descends(frame)?;
+        // The first wall descends where the sheet first leaves the level of its middle downward.
+        let middle = frame.nodes.first()?.z;
+        let (low, high) = frame.nodes.iter().fold((middle, middle), |(low, high), n| (low.min(n.z), high.max(n.z)));
+        let departure = frame.nodes.iter().map(|n| n.z - middle).find(|by| by.abs() > DEPARTED * (high - low));
+        let up = departure.map_or(1.0, |by| -by.signum());
         let points: Vec<Point> = frame.nodes.iter().map(|n| Point::new(n.r, up * n.z)).collect();
         let steps: Vec<Point> = points.windows(2).map(|pair| pair[1] - pair[0]).collect();
-        let is_line = |step: &Point| step.norm() > 0.0 && step.norm().is_finite();
-        if steps.len() < 2 || !steps.iter().all(is_line) {
+        if steps.len() < 2 || !steps.iter().all(|step| step.norm() > 0.0 && step.norm().is_finite()) {
             return None;
         }
         let before = std::iter::once(Point::x()).chain(steps.iter().copied());
@@ -178,12 +181,4 @@ fn curvature(along: &[f64], slope: &[f64], reach: f64) -> Vec<f64> {
         if to > from { (interpolated(&slopes, to) - interpolated(&slopes, from)) / (to - from) } else { 0.0 }
     };
     along.iter().map(of_node).collect()
-}
-
-/// Sense in which the sheet first leaves the level of its middle: −1 where z falls, outward.
-fn descends(frame: &Frame) -> Option<f64> {
-    let middle = frame.nodes.first()?.z;
-    let (low, high) = frame.nodes.iter().fold((middle, middle), |(low, high), n| (low.min(n.z), high.max(n.z)));
-    let departure = frame.nodes.iter().map(|n| n.z - middle).find(|by| by.abs() > DEPARTED * (high - low));
-    Some(departure.map_or(-1.0, f64::signum))
 }

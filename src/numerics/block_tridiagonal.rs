@@ -85,9 +85,7 @@ impl System {
         }
         self.diagonal[node][(freedom, freedom)] = 1.0;
         self.rhs[node][freedom] = 0.0;
-        for column in &mut self.columns[node] {
-            column[freedom] = 0.0;
-        }
+        self.columns[node].iter_mut().for_each(|column| column[freedom] = 0.0);
     }
 
     /// Solves in place by block elimination and a Schur complement: x in `rhs`, y in `corner_rhs`. The matrix is lost.

@@ -36,8 +36,7 @@ fn picture(view: &StageView, frames: &[&Frame], frame: &Frame) -> Chart {
         .with(sections::tools(model, Some(frame), window[0].1))
         .with(thinning.section(frame, false));
     let panels = [section, thinning.scale()].into_iter().chain(load(view, frame.time)).collect();
-    let title = format!("{}: {} {at}", model.title, view.progress());
-    Chart { title, ..view.chart("", panels, [thinning.note()]) }
+    Chart { title: format!("{}: {} {at}", model.title, view.progress()), ..view.chart("", panels, [thinning.note()]) }
 }
 
 fn load(view: &StageView, time: f64) -> Option<Panel> {

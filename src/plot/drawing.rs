@@ -117,8 +117,7 @@ fn along(piece: &Piece) -> String {
 /// One row a line or arc \[mm\]: ends, and of an arc the radius, positive counter-clockwise, and the centre.
 pub(crate) fn layers_csv(layers: &[Layer]) -> String {
     let mut text = "layer,r0_mm,z0_mm,r1_mm,z1_mm,radius_mm,centre_r_mm,centre_z_mm\n".to_owned();
-    let rows = layers.iter().flat_map(|layer| layer.pieces.iter().map(move |piece| (&layer.name, piece)));
-    for (layer, piece) in rows {
+    for (layer, piece) in layers.iter().flat_map(|layer| layer.pieces.iter().map(move |piece| (&layer.name, piece))) {
         let (a, b) = (piece.first(), piece.last());
         let arc = match piece {
             Piece::Segment(_) => [const { String::new() }; 3],

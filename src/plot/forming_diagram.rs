@@ -52,8 +52,7 @@ fn diagram(view: &StageView, assessment: &Assessment, limit: &Curve) -> Panel {
     let left = low - around;
     let minor = |i: usize| left + (high + around - left) * i as f64 / FINE as f64;
     let curve: Vec<(f64, f64)> = (0..=FINE).map(|i| (minor(i), limit.major_at(minor(i)))).collect();
-    let majors = elements.iter().map(|e| e.major);
-    let (least, largest) = bounds(majors.chain(curve.iter().map(|p| p.1)).chain([0.0]));
+    let (least, largest) = bounds(elements.iter().map(|e| e.major).chain(curve.iter().map(|p| p.1)).chain([0.0]));
     let top = (1.0 + ABOVE) * largest;
     // The minor strain is not the larger one: zones and curve end where both are equal.
     let right = (high + around).min(top);
@@ -91,8 +90,7 @@ fn diagram(view: &StageView, assessment: &Assessment, limit: &Curve) -> Panel {
     let end = worst_path.first().copied().into_iter().collect();
     series.push(Series::silent(worst_path, Style::solid(color(1), 2.2)));
     let nearest = format!("Nearest to the limit, {} of it", percent(elements[worst].ratio()));
-    let is_open = elements[worst].is_open();
-    let nearest = if is_open { "Most strained beyond the end of the limit" } else { &nearest };
+    let nearest = if elements[worst].is_open() { "Most strained beyond the end of the limit" } else { &nearest };
     let label = format!("{nearest}, s0 = {}", Amount::place(elements[worst].s0));
     series.push(Series::new(label, end, Style::Circles { color: color(1) }));
     let measure = if view.pictures.engineering_strain { "engineering" } else { "true" };

@@ -13,8 +13,7 @@ pub(crate) fn plot(view: &StageView) -> Option<Chart> {
     let mut notes = Vec::new();
     if view.model().travel > 0.0 {
         let unit = view.extent().force_unit();
-        let events = measure::events(view.stage);
-        let events = events.into_iter().map(|event| {
+        let events = measure::events(view.stage).into_iter().map(|event| {
             let text = format!("{}, {}", event.kind.label(), Amount::place(event.travel));
             Annotation::flag(text, (event.travel, event.force))
         });

@@ -24,8 +24,7 @@ fn pixels(svg: &str, width: f64) -> Pixmap {
     let tree = Tree::from_str(svg, &options).expect("the SVG is our own");
     let size = tree.size();
     let scale = width as f32 / size.width();
-    let height = (scale * size.height()).round();
-    let mut pixmap = Pixmap::new(width as u32, height as u32).expect("a picture has an area");
+    let mut pixmap = Pixmap::new(width as u32, (scale * size.height()).round() as u32).expect("a picture has an area");
     pixmap.fill(Color::WHITE);
     resvg::render(&tree, Transform::from_scale(scale, scale), &mut pixmap.as_mut());
     pixmap

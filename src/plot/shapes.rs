@@ -14,9 +14,8 @@ pub(crate) fn plot(view: &StageView) -> Option<Chart> {
     let width = window[0].1;
     let thinning = Thinning::new(model.blank.thickness, SMALL / width, frames);
     let small = |at: Amount, frame: Option<&Frame>, sheet: Vec<Series>| {
-        let caption = capitalised(&format!("{} {at}", view.progress()));
         let section = panel(model.geometry, window).with(tools(model, frame, width)).with(sheet);
-        Panel { caption, is_small: true, ..section }
+        Panel { caption: capitalised(&format!("{} {at}", view.progress())), is_small: true, ..section }
     };
     let shown = spread(frames, STATES);
     let start = view.stage.start.as_ref().filter(|_| (1..STATES).contains(&shown.len()));

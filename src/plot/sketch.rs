@@ -37,8 +37,7 @@ pub fn sketch(title: String, geometry: Geometry, operations: &[Vec<SketchedTool>
         }
         panel(geometry, [x, y]).with(bodies).with(ends)
     };
-    let panels: Vec<Panel> = operations.iter().map(operation).collect();
-    Chart::new(title, panels, notes)
+    Chart::new(title, operations.iter().map(operation).collect(), notes)
 }
 
 /// Vertices of a profile without the far ends of its walls.

@@ -194,7 +194,7 @@ const MAJOR: [&str; 2] = ["strain_major", "Major true strain, mid-surface"];
 
 pub(super) fn forming_limit(curve: &Curve) -> Table {
     let column = |i: usize, [key, label]: [&'static str; 2]| {
-        Column::new(key, label, Unit::None, curve.points().iter().map(|point| point[i]).collect())
+        Column::new(key, label, Unit::None, curve.points.iter().map(|point| point[i]).collect())
     };
     Table::new(vec![column(0, MINOR), column(1, MAJOR)])
 }

@@ -48,7 +48,6 @@ impl<'a> Converged<'a> {
         });
         let pressures = evaluation.contacts.iter().map(|contact| contact.pressure.value);
         let strains = state.membrane.iter().zip(&evaluation.membrane_increment);
-        let tool_moves = trial.tools.iter().zip(&state.tools);
         let velocity: Vec<Node> = trial.moves.iter().map(|u| u.map(|u| u / dt)).collect();
         let mut next = State {
             time: step.end(),
@@ -62,7 +61,7 @@ impl<'a> Converged<'a> {
             steady: vec![false; state.steady.len()],
             points: Grid::from_values(state.points.columns(), points),
             tools: trial.tools.clone(),
-            tool_velocity: tool_moves.map(|(now, before)| (now.y - before.y) / dt).collect(),
+            tool_velocity: trial.tools.iter().zip(&state.tools).map(|(now, before)| (now.y - before.y) / dt).collect(),
             pressure: Grid::from_values(state.contact_points(), pressures),
             shift: Grid::from_values(state.contact_points(), trial.contacts.iter().map(|memory| memory.shift)),
             gas: trial.gas.clone(),

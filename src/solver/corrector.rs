@@ -144,14 +144,9 @@ pub(super) fn allowed_share(context: &RunContext, trial: &Trial) -> f64 {
     let (model, line) = (context.model, &trial.line);
     let t = model.blank.thickness;
     let reach = if model.release.is_some() { LARGEST_SWING } else { LARGEST_MOVE };
-    let mut share: f64 = 1.0;
-    for d in &line.direction {
-        share = share.min(reach * t / d.xy().norm()).min(LARGEST_TURN / d.z.abs());
-    }
-    for k in context.tools.iter().filter_map(|tool| tool.shared) {
-        share = share.min(LARGEST_MOVE * t / line.shared[k].abs());
-    }
-    share
+    let of_nodes = line.direction.iter().map(|d| (reach * t / d.xy().norm()).min(LARGEST_TURN / d.z.abs()));
+    let of_tools = context.tools.iter().filter_map(|tool| Some(LARGEST_MOVE * t / line.shared[tool.shared?].abs()));
+    of_nodes.chain(of_tools).fold(1.0, f64::min)
 }
 
 /// Relative increment of the velocities by a share of the direction \[–\].

@@ -60,8 +60,7 @@ pub(super) fn work(before: &Evaluation, converged: &Converged) -> (Energy, Vec<f
                 continue;
             }
             let (e, k) = (i / STATIONS, i % STATIONS);
-            let station = &step.stations()[k];
-            let place = |nodes: &[Node]| station.position(&nodes[e], &nodes[e + 1]);
+            let place = |nodes: &[Node]| step.stations()[k].position(&nodes[e], &nodes[e + 1]);
             let moved = place(&now.nodes) - place(&state.nodes) - tool;
             let across = |contact: &Contact| contact.normal * contact.facing.dot(&moved);
             let along = |contact: &Contact| contact.tangential * turned(contact.facing).dot(&moved);

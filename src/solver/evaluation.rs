@@ -160,16 +160,13 @@ impl Evaluation {
     }
 
     pub fn release(&mut self, tool: usize) {
-        for contact in self.contacts.row_mut(tool) {
-            (contact.normal, contact.tangential) = (0.0, 0.0);
-        }
+        self.contacts.row_mut(tool).iter_mut().for_each(|own| (own.normal, own.tangential) = (0.0, 0.0));
     }
 
     /// Largest penetration of an element over its thickness \[–\].
     pub fn penetration(&self) -> f64 {
         let rows = self.contacts.rows().map(|row| row.chunks_exact(STATIONS).zip(&self.thickness));
-        let deep = rows.flatten().filter_map(|(contacts, thickness)| Some(-mean_gap(contacts)? / thickness));
-        deep.fold(0.0, f64::max)
+        rows.flatten().filter_map(|(contacts, thickness)| Some(-mean_gap(contacts)? / thickness)).fold(0.0, f64::max)
     }
 }
 

@@ -64,6 +64,5 @@ pub(super) fn advance(converged: &Converged, plastic: &[f64], state: &mut State)
         *rates = [(now - then) / dt, rates[0]];
     }
     let tools = exchange.iter().zip(&state.temperature).map(|([by, heat], t)| heat - by * t).sum();
-    let plastic = flow.plastic_share * plastic.iter().sum::<f64>();
-    Some(Heat { plastic, tools, stored: content(state) - before })
+    Some(Heat { plastic: flow.plastic_share * plastic.iter().sum::<f64>(), tools, stored: content(state) - before })
 }

@@ -41,6 +41,5 @@ pub(super) fn is_between_walls(step: &Step, evaluation: &Evaluation, e: usize) -
         let held = contacts.filter(move |(tool, contact)| tool.shared.is_none() && contact.pressure.value > least);
         held.map(|(_, contact)| contact.facing)
     };
-    let opposed = |i: usize| pressing(i).any(|a| pressing(i).any(|b| a.dot(&b) < OPPOSED));
-    (STATIONS * e..STATIONS * (e + 1)).any(opposed)
+    (STATIONS * e..STATIONS * (e + 1)).any(|i| pressing(i).any(|a| pressing(i).any(|b| a.dot(&b) < OPPOSED)))
 }

@@ -39,10 +39,9 @@ fn divided(nodes: &[f64], n: usize) -> Vec<f64> {
 fn graded(model: &Model, n: usize, zones: &[Zone]) -> Vec<f64> {
     let [start, end] = model.blank.ends();
     let length = end - start;
-    let uniform = |i: usize| start + length * i as f64 / n as f64;
     let finest = zones.iter().map(|z| z.size).fold(f64::INFINITY, f64::min);
     if finest >= length / n as f64 {
-        return (0..=n).map(uniform).collect();
+        return (0..=n).map(|i| start + length * i as f64 / n as f64).collect();
     }
     // Density = 1/size: the zones' own, a floor elsewhere, blended linearly over a few elements; the floor is
     // raised or everything scaled until the density integrates to n.

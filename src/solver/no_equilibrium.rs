@@ -63,9 +63,8 @@ fn mechanism(step: &Step, evaluation: &Evaluation, worst: usize, steps: &[StepRe
 
 /// A strip of membranes bears load by tension alone: without restraint no shape of it is in equilibrium.
 fn loose_strip(step: &Step, i: usize) -> Option<Stop> {
-    let is_membrane = step.model.blank.theory == Theory::Membrane;
     let (travel, s0) = (Amount::place(step.state.travel), step.state.s0[i]);
-    (is_membrane && is_loose(step.context)).then(|| {
+    (step.model.blank.theory == Theory::Membrane && is_loose(step.context)).then(|| {
         let at = Amount::place(s0);
         let text =
             format!("mechanism: at {travel} of travel nothing holds the strip of membranes; it gives way at s0 = {at}");
@@ -126,12 +125,11 @@ fn burst(step: &Step, evaluation: &Evaluation, steps: &[StepRecord]) -> Option<S
     let speed = |i: usize| state.velocity[i][0].hypot(state.velocity[i][1]);
     let fastest = (0..state.nodes.len()).filter(is_free).max_by(|&a, &b| speed(a).total_cmp(&speed(b)))?;
     let ([r, z, _], s0) = (state.nodes[fastest], state.s0[fastest]);
-    let way = (r - s0).hypot(z);
     let dt = last.time - before.time;
     // The load that the last step added, over the whole: of the pressure or of the run.
     let rise = (last.pressure - before.pressure) / last.pressure;
     let share = model.process_time(before.time, dt) / model.process_time(0.0, last.time);
-    let place_runs = dt * speed(fastest) > RUNAWAY * rise.max(share) * way;
+    let place_runs = dt * speed(fastest) > RUNAWAY * rise.max(share) * (r - s0).hypot(z);
     let sheet_runs = last.work.external - before.work.external > RUNAWAY * share * last.work.external;
     (place_runs || sheet_runs).then(|| {
         let (pressure, [place, height]) = (Amount::stress(last.pressure.abs()), [s0, z].map(Amount::place));

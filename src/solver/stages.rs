@@ -169,7 +169,6 @@ fn trim(state: &mut State, radius: f64) {
     cut([&mut state.steady], elements);
     cut([&mut state.membrane, &mut state.temperature_rates, &mut state.face_damage, &mut state.ironed], elements);
     state.points.truncate_rows(elements);
-    for pairs in [&mut state.pressure, &mut state.shift] {
-        pairs.truncate_columns(STATIONS * elements);
-    }
+    state.pressure.truncate_columns(STATIONS * elements);
+    state.shift.truncate_columns(STATIONS * elements);
 }

@@ -112,7 +112,6 @@ impl State {
             porosity: model.material.gtn.map_or(0.0, |voids| voids.initial),
             ..MaterialPoint::default()
         };
-        let middles = s0.windows(2).map(|w| 0.5 * (w[0] + w[1]));
         let temperature = |r: f64| model.heat.as_ref().map_or(ROOM_TEMPERATURE, |heat| heat.initial.at(r));
         let speed = |tool: &Tool| if tool.motion == Motion::Travel { model.speed } else { 0.0 };
         let pairs = Grid::new(model.tools.len(), STATIONS * elements, 0.0);
@@ -130,7 +129,7 @@ impl State {
             face_damage: vec![[0.0; 2]; elements],
             dilation: vec![0.0; elements],
             dilation_rate: vec![0.0; elements],
-            temperature: middles.map(temperature).collect(),
+            temperature: s0.windows(2).map(|w| 0.5 * (w[0] + w[1])).map(temperature).collect(),
             temperature_rates: vec![[0.0; 2]; elements],
             tools: model.tools.iter().map(|tool| Point::new(0.0, waiting_displacement(model, tool))).collect(),
             tool_velocity: model.tools.iter().map(speed).collect(),

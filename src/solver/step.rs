@@ -57,7 +57,7 @@ impl<'a> Step<'a> {
         let process_time = model.process_time(state.time, dt);
         let references: Vec<Reference> = references(model, state).collect();
         let neighbourhood = NonlocalAverage::new(model, state);
-        let section = neighbourhood.section_thickness(&state.thickness);
+        let section = neighbourhood.means(|e| state.thickness[e]);
         // Voids grow on at their last rate.
         let voids = |exponent: f64| if model.material.gtn.is_some() { exponent.exp() } else { 1.0 };
         let growth: Vec<f64> = state.dilation_rate.iter().map(|rate| voids(rate * dt)).collect();

@@ -10,9 +10,7 @@ pub(super) fn record(converged: &Converged, before: &Evaluation, next: &State, r
     let force_of = |role: Role| model.tool_index(role).map_or(0.0, |j| times * evaluation.tool_force[j].y);
     let is_fed = model.blank.edge == Edge::Fed;
     let thickness = &next.thickness;
-    let thinner = |a: usize, b: usize| if thickness[b] < thickness[a] { b } else { a };
-    let thinnest = (0..thickness.len()).fold(0, thinner);
-    let gas = model.gas.iter().zip(&trial.gas).map(|(gas, pressure)| gas.face.sign() * pressure);
+    let thinnest = (0..thickness.len()).fold(0, |a, b| if thickness[b] < thickness[a] { b } else { a });
     let (n, holder) = (evaluation.nodes.len(), model.tool_index(Role::Holder));
     let gap = |role: Role, node: usize| model.tool_index(role).map_or(f64::INFINITY, |j| next.gap(model, j, node));
     let gaps = |node: usize| Role::ALL.map(|role| gap(role, node));
@@ -29,7 +27,7 @@ pub(super) fn record(converged: &Converged, before: &Evaluation, next: &State, r
         thinnest: thickness[thinnest],
         thinnest_s0: next.middle(thinnest),
         pole_height: evaluation.nodes[0][1],
-        pressure: gas.sum(),
+        pressure: model.gas.iter().zip(&trial.gas).map(|(gas, pressure)| gas.face.sign() * pressure).sum(),
         held_rate: model.rate_control().map_or(0.0, |control| control.target * evaluation.held_rate.norm),
         on_cap: evaluation.held_rate.on_cap,
         contact_share: contact_share(converged),

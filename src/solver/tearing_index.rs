@@ -45,8 +45,7 @@ impl<'a> PlaneStrainStrength<'a> {
         let material = &model.material;
         let is_superplastic = material.rate.is_some_and(|rate| rate.is_superplastic());
         let factor = material.yield_criterion.plane_strain_factor();
-        let is_uniform = material.hardening.temperatures().is_none();
-        let peak = is_uniform.then(|| material.load_maximum(factor, ROOM_TEMPERATURE));
+        let peak = material.hardening.temperatures().is_none().then(|| material.load_maximum(factor, ROOM_TEMPERATURE));
         (model.release.is_none() && !is_superplastic).then_some(Self { material, factor, peak })
     }
 

@@ -51,15 +51,13 @@ pub(super) struct Termination {
 impl Termination {
     pub fn new(model: &Model, state: &State) -> Self {
         let edge = state.nodes[state.nodes.len() - 1][0];
-        let drawn_in = |throat: &Throat| model.blank.edge == Edge::Free && edge > throat.radius;
         let throat = model.tool_index(Role::Die).map(|die| {
             let profile = &model.tools[die].profile;
             let (points, radius) = (profile.polyline(0.01), profile.least_r());
             let lowest = |r: f64| points.iter().filter(|p| p.x <= r).map(|p| p.y).fold(f64::INFINITY, f64::min);
-            let end = lowest(radius + ROUND_OFF * model.blank.thickness);
-            Throat { die, radius, face: lowest(f64::INFINITY), end }
+            Throat { die, radius, face: lowest(f64::INFINITY), end: lowest(radius + ROUND_OFF * model.blank.thickness) }
         });
-        let throat = throat.filter(drawn_in);
+        let throat = throat.filter(|throat| model.blank.edge == Edge::Free && edge > throat.radius);
         let (necking_since, fading_since, neck) = (None, None, None);
         let (peak, rate_at_peak, closed) = (0.0, 0.0, closed(model, state));
         Self { necking_since, fading_since, peak, rate_at_peak, throat, closed, neck, excess: -1.0 }
@@ -120,7 +118,6 @@ impl Termination {
         });
         let lasted = Self::lasted(self.necking_since, model, state);
         let neck = self.neck.filter(|_| model.stop.localised);
-        let localised = neck.map_or(f64::NAN, |neck| lasted.max(1.0 - neck.share / GONE));
         let edge_limit = model.blank.edge_limit.filter(|_| model.stop.edge_limit).map(|limit| limit.expansion);
         let drop = model.stop.load_drop.filter(|_| self.peak > 0.0);
         [
@@ -130,7 +127,7 @@ impl Termination {
             (beyond(record.edge_expansion(&model.blank), edge_limit), StopKind::EdgeLimit),
             (beyond(record.contact_share, model.stop.contact_share), StopKind::ContactShare),
             (beyond(1.0 - record.punch_force / self.peak, drop), StopKind::LoadMaximum),
-            (localised, StopKind::Localised),
+            (neck.map_or(f64::NAN, |neck| lasted.max(1.0 - neck.share / GONE)), StopKind::Localised),
             (beyond(record.holder_force, model.stop.holder_force), StopKind::HolderClosed),
         ]
     }

@@ -41,8 +41,7 @@ impl<'a> StepControl<'a> {
         let [wanted, largest, smallest] = steps.map(|share| share * model.duration);
         let is_past = |frame: &f64| state.time > 0.0 && state.time >= frame * (1.0 - 1e-12);
         let (next_frame, end) = (model.frames.partition_point(is_past), end.unwrap_or(f64::INFINITY));
-        let search = EndSearch::new(smallest);
-        Self { model, wanted, given: 0.0, largest, smallest, next_frame, end, search }
+        Self { model, wanted, given: 0.0, largest, smallest, next_frame, end, search: EndSearch::new(smallest) }
     }
 
     /// Length of the next step \[s\]; `None` at the end of the run.
@@ -139,10 +138,9 @@ impl Budget {
         let settings = &model.settings;
         let finer = (Settings::default().strain_step / settings.strain_step).max(1.0);
         let landings = model.frames.len() + model.schedule.as_ref().map_or(0, |schedule| schedule.points().len());
-        let stretch = settings.max_step.min(Settings::CUTOFF_STEP);
         let in_a_stretch = (IN_A_STRETCH as f64 * finer) as usize + landings;
         let in_all = PLANNED * ((finer / settings.max_step) as usize + landings) + SPARE;
-        Self { tries: 0, begun: (0.0, 0), stretch, in_a_stretch, in_all }
+        Self { tries: 0, begun: (0.0, 0), stretch: settings.max_step.min(Settings::CUTOFF_STEP), in_a_stretch, in_all }
     }
 
     /// Counts a try at this progress \[–\]; `false` when the budget is spent.

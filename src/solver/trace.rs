@@ -100,12 +100,10 @@ pub fn trace(stages: &[Stage], request: &TraceRequest, observer: &mut dyn Observ
     };
     let record = step.checked_sub(1).and_then(|step| run.steps.get(step));
     let (Some((model, before)), Some(record)) = (begin, record) else {
-        let what = format!("there is no step {step}: the run has {}, counted from 1", run.steps.len());
-        return missing(Some(run), what);
+        return missing(Some(run), format!("there is no step {step}: the run has {}, counted from 1", run.steps.len()));
     };
     let tolerance = request.tolerance.unwrap_or(model.settings.tolerance);
-    let own = [model.settings.iteration];
-    let matrices = if request.matrices.is_empty() { &own[..] } else { &request.matrices };
+    let matrices = if request.matrices.is_empty() { &[model.settings.iteration][..] } else { &request.matrices };
     let repeat = |&matrix: &Iteration| {
         let mut model = model.clone();
         model.settings = Settings { iteration: matrix, tolerance, ..model.settings };

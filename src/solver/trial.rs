@@ -61,8 +61,7 @@ impl Trial {
     /// Predicts a step: extrapolated velocities or rest, with prescribed motions.
     pub fn predict(&mut self, step: &Step, from_rest: bool) {
         let Step { context, model, state, dt, .. } = *step;
-        let pairs = state.pressure.iter().zip(state.shift.iter());
-        for (memory, (pressure, shift)) in self.contacts.iter_mut().zip(pairs) {
+        for (memory, (pressure, shift)) in self.contacts.iter_mut().zip(state.pressure.iter().zip(state.shift.iter())) {
             (memory.carried, memory.shift) = (*pressure, *shift);
         }
         for (pressure, (gas, before)) in self.gas.iter_mut().zip(model.gas.iter().zip(&state.gas)) {
@@ -81,12 +80,11 @@ impl Trial {
             let held = edge.held(model.speed * step.process_time, step.travel() - state.travel);
             held.into_iter().enumerate().for_each(|(d, held)| self.moves[i][d] = held.unwrap_or(self.moves[i][d]));
         }
-        let progress = model.progress(step.end()) - model.progress(state.time);
         for (j, tool) in context.tools.iter().enumerate() {
             let moved = match tool.motion {
                 Motion::Fixed | Motion::Gap(_) => Point::zeros(),
                 Motion::Travel => Point::new(0.0, step.travel() - state.travel),
-                Motion::Path(way) => way * progress,
+                Motion::Path(way) => way * (model.progress(step.end()) - model.progress(state.time)),
                 // What the sheet has left stands still.
                 Motion::Pressed(_) if tool.released.is_some() => Point::zeros(),
                 Motion::Pressed(_) => Point::new(0.0, share * state.tool_velocity[j]),

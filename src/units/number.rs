@@ -25,8 +25,7 @@ pub fn rounded_up(value: f64, digits: i32) -> f64 {
 /// At most so many decimals, without zeros at the end and without a minus before 0: `30.5`, `0`.
 pub fn trimmed(value: f64, decimals: i32) -> String {
     let scale = 10f64.powi(decimals);
-    let text = format!("{:.*}", decimals.max(0) as usize, (value * scale).round() / scale + 0.0);
-    without_zeros(&text).to_owned()
+    without_zeros(&format!("{:.*}", decimals.max(0) as usize, (value * scale).round() / scale + 0.0)).to_owned()
 }
 
 /// A decimal number without zeros at the end of its decimals.

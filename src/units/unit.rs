@@ -65,11 +65,13 @@ impl Unit {
     /// Fails when the header ends in no known unit.
     pub fn of_header(header: &str) -> Result<(Self, f64), String> {
         let ends = |(spelling, _): &(&str, Unit)| header.strip_suffix(spelling).is_some_and(|rest| rest.ends_with('_'));
-        let longest = spellings().filter(ends).max_by_key(|(spelling, _)| spelling.len());
-        let (spelling, unit) = longest.ok_or_else(|| {
-            let known = spellings().map(|(spelling, _)| spelling).collect::<Vec<_>>().join(", ");
-            format!("column `{header}` must end in a unit, as in `travel_mm` or `punch_force_kN`; known units: {known}")
-        })?;
+        let (spelling, unit) =
+            spellings().filter(ends).max_by_key(|(spelling, _)| spelling.len()).ok_or_else(|| {
+                let known = spellings().map(|(spelling, _)| spelling).collect::<Vec<_>>().join(", ");
+                format!(
+                    "column `{header}` must end in a unit, as in `travel_mm` or `punch_force_kN`; known units: {known}"
+                )
+            })?;
         let size = |name: &str| parse(&format!("1 {}", name.replace("_per_", "/"))).map_or(1.0, |parsed| parsed.value);
         Ok((unit, if spelling == unit.spelled() { 1.0 } else { size(spelling) / size(unit.spelled()) }))
     }

@@ -23,11 +23,11 @@ fn hill_is_a_line_of_constant_thickness_strain_on_the_left() {
         let material = power(0.22, r);
         for n in [None, Some(0.22)] {
             let curve = Kind::Hill(Hill { n }).curve(&sheet(&material)).expect("a curve");
-            for [minor, major] in curve.points().iter().filter(|p| p[0] <= 0.0) {
+            for [minor, major] in curve.points.iter().filter(|p| p[0] <= 0.0) {
                 assert_relative_eq!(minor + major, 0.22, epsilon = 3e-6);
             }
             assert_relative_eq!(curve.plane_strain(), 0.22, epsilon = 3e-6);
-            let [minor, major] = curve.points()[0];
+            let [minor, major] = curve.points[0];
             assert_relative_eq!(major, 0.22 * (1.0 + r), epsilon = 1e-5);
             assert_relative_eq!(minor / major, -r / (1.0 + r), epsilon = 1e-12);
         }
@@ -39,13 +39,13 @@ fn hill_is_a_line_of_constant_thickness_strain_on_the_left() {
 #[test]
 fn swift_is_its_textbook_formula() {
     let curve = Kind::Swift(Swift { n: Some(0.2) }).curve(&sheet(&power(0.2, 1.0))).expect("a curve");
-    for &[minor, major] in curve.points() {
+    for &[minor, major] in &curve.points {
         let beta = minor / major;
         let a = (1.0 + 2.0 * beta) / (2.0 + beta);
         let by_hand = 0.4 * (2.0 - a) * (1.0 - a + a * a) / (4.0 - 3.0 * a - 3.0 * a * a + 4.0 * a * a * a);
         assert_relative_eq!(major, by_hand, max_relative = 1e-12);
     }
-    for major in [curve.points()[0][1], curve.plane_strain(), curve.points()[40][1]] {
+    for major in [curve.points[0][1], curve.plane_strain(), curve.points[40][1]] {
         assert_relative_eq!(major, 0.2, max_relative = 1e-12);
     }
 }

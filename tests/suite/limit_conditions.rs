@@ -23,8 +23,8 @@ fn an_exponent_of_two_gives_the_curves_of_hill_1948() {
         let materials = [sheet_of(Hill48::new(r)), sheet_of(Hosford::new(r, 2.0))];
         for kind in computed(0.98) {
             let [one, other] = materials.each_ref().map(|material| kind.curve(&sheet(material)).expect("a curve"));
-            assert_eq!(one.points().len(), other.points().len());
-            for (a, b) in one.points().iter().flatten().zip(other.points().iter().flatten()) {
+            assert_eq!(one.points.len(), other.points.len());
+            for (a, b) in one.points.iter().flatten().zip(other.points.iter().flatten()) {
                 assert!((a - b).abs() < 1e-9, "{} {r}: {a} {b}", one.name);
             }
         }
@@ -53,7 +53,7 @@ fn the_corner_of_hosfords_condition_brings_the_biaxial_limit_down() {
     for kind in [Kind::Hill(Hill { n: None }), Kind::Swift(Swift { n: None })] {
         let curve = kind.curve(&sheet(&of(8.0))).expect("a curve");
         assert_relative_eq!(curve.plane_strain(), 0.2, epsilon = 3e-6);
-        assert_relative_eq!(curve.points()[curve.points().len() - 1][1], 0.2, epsilon = 3e-6);
+        assert_relative_eq!(curve.points[curve.points.len() - 1][1], 0.2, epsilon = 3e-6);
     }
 }
 

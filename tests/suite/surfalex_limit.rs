@@ -94,8 +94,8 @@ fn the_points_of_the_library_are_the_means_of_the_data() {
     let sheet = library::material("aa6016a-surfalex").expect("a sheet");
     let curve = sheet.measured_limit.expect("a measured limit");
     let widths = measured();
-    assert_eq!((widths.len(), curve.points().len()), (6, 6));
-    for (point, width) in curve.points().iter().zip(&widths) {
+    assert_eq!((widths.len(), curve.points.len()), (6, 6));
+    for (point, width) in curve.points.iter().zip(&widths) {
         let mean = width.mean();
         assert!((0..2).all(|i| (point[i] - mean[i]).abs() < 6e-5), "{}", width.name);
     }

@@ -100,12 +100,11 @@ pub fn element(u: Random) -> Symbols {
 pub fn surface(u: Random) -> Symbols {
     let [a, b] = nodes(u);
     let (along, thickness) = (Point::new(b[0] - a[0], b[1] - a[1]), u(0.5, 2.0));
-    let reference = Reference::new(Geometry::Axisymmetric, Theory::Bending, a, b);
     let mut known = Symbols::default();
     known.numbers(r"t_b, l, l_b, r_b", [thickness, along.norm(), along.norm(), 0.5 * (a[0] + b[0])]);
     known.numbers(r"\theta_1, \theta_2, \theta_{1b}, \theta_{2b}", [a[2], b[2], a[2], b[2]]);
     known.numbers(r"\theta_{mb}, S", [0.5 * (a[2] + b[2]), 1.0]);
-    known.list("S_f", reference.faces(b[2] - a[2], thickness));
+    known.list("S_f", Reference::new(Geometry::Axisymmetric, Theory::Bending, a, b).faces(b[2] - a[2], thickness));
     known.list(r"\xi", stations(true).map(|station| station.xi));
     known.set(r"\mathbf x", stations(true).map(|station| column(station.position(&a, &b).as_slice())));
     known.column(r"\mathbf x_1", &a[..2]);

@@ -36,10 +36,9 @@ fn criteria() -> [YieldCriterion; 6] {
 }
 
 fn for_every_law(look: impl Fn(&str, BackStresses, YieldCriterion, &ElastoplasticLaw)) {
-    let rates = Rate::examples();
     for (name, hardening) in Hardening::examples() {
         for (kinematic, criterion) in KINEMATICS.into_iter().cycle().zip(criteria()) {
-            for rate in rates.iter().map(|(_, rate)| Some(rate)).chain([None]) {
+            for rate in Rate::examples().iter().map(|(_, rate)| Some(rate)).chain([None]) {
                 let (operators, shifts) = (Operators::new(STEEL, criterion), shifting(kinematic));
                 let law = ElastoplasticLaw { kinematic: shifts, rate, operators, ..law(&hardening) };
                 look(&format!("{name}, {criterion}, {kinematic:?}, {rate:?}"), kinematic, criterion, &law);

@@ -26,8 +26,7 @@ impl HardeningLaw for Scaled {
             None => law.times(self.factor),
             Some(beyond) if strain <= beyond => law,
             Some(beyond) => {
-                let end = FlowStress { slope: 0.0, ..self.law.at_temperature(beyond, temperature) };
-                end.towards(law, self.factor)
+                FlowStress { slope: 0.0, ..self.law.at_temperature(beyond, temperature) }.towards(law, self.factor)
             }
         }
     }

@@ -50,8 +50,7 @@ impl Flags {
             let (from, to) = (left.min(at.0) - GAP, left + width + GAP);
             let meets = |other: &&Flag| from < other.left + other.width && other.left < to;
             let row = flags.iter().filter(meets).map(|other| other.rows[1]).max().unwrap_or(0);
-            let rows = [row, row + lines.len()];
-            flags.push(Flag { at, lines, left, width, rows });
+            flags.push(Flag { at, left, width, rows: [row, row + lines.len()], lines });
         }
         Self { flags, size }
     }

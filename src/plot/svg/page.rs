@@ -1,6 +1,6 @@
 //! Page layout: title, legend, panels and notes from the top down.
 
-use super::panel::{Frame, x_labels_height, y_labels_width};
+use super::panel::{Frame, X_LABELS_HEIGHT, y_labels_width};
 use super::shapes::sample;
 use super::text::{NOTE, SPACING, TICK, TITLE, wrapped};
 use super::*;
@@ -66,13 +66,12 @@ fn panels(panels: &[Panel], width: f64, top: f64, canvas: &Canvas) -> f64 {
         let outer = if panel.is_small { small_width } else { width - 2.0 * MARGIN };
         let frame = Frame::new(panel, if panel.has_no_axes() { outer } else { outer - left });
         let caption = if panel.is_small { SPACING * TICK } else { 0.0 };
-        let height = frame.height + if panel.has_no_axes() { 0.0 } else { x_labels_height() };
+        let height = frame.height + if panel.has_no_axes() { 0.0 } else { X_LABELS_HEIGHT };
         let x = MARGIN + column as f64 * (small_width + MARGIN);
         if panel.is_small {
             text::draw(canvas, &panel.caption, TICK, BLACK, (x, y));
         }
-        let area = canvas.clone().shrink((units(x), units(y + caption)), (units(outer), units(height)));
-        frame.draw(panel, &area, left);
+        frame.draw(panel, &canvas.clone().shrink((units(x), units(y + caption)), (units(outer), units(height))), left);
         column = if panel.is_small { column + 1 } else { columns };
         below = below.max(y + caption + height + GAP);
     }

@@ -11,6 +11,7 @@ use plotters::chart::{ChartBuilder, LabelAreaPosition};
 const X_TICKS: usize = 8;
 const NARROW_TICK: f64 = 70.0;
 const TICK_MARK: f64 = 6.0;
+pub(super) const X_LABELS_HEIGHT: f64 = TICK_MARK + SPACING * (TICK + LABEL) + 4.0;
 /// Thickness of axes and of the grid.
 const AXIS: f64 = 1.2;
 const GRID: f64 = 0.8;
@@ -72,7 +73,7 @@ impl Frame {
     pub(super) fn draw(&self, panel: &Panel, area: &Canvas, left: f64) {
         let is_section = panel.is_section();
         let y = if is_section { (self.y.1, self.y.0) } else { self.y };
-        let (left, below) = if panel.has_no_axes() { (0.0, 0.0) } else { (left, x_labels_height()) };
+        let (left, below) = if panel.has_no_axes() { (0.0, 0.0) } else { (left, X_LABELS_HEIGHT) };
         let y_count = tick_count(self.height);
         let (x_ticks, y_ticks) = (self.x_ticks(panel), values(&panel.y, self.y, y_count));
         let mut chart = ChartBuilder::on(area)
@@ -120,10 +121,6 @@ impl Frame {
         annotations::draw(&plot, panel, to_px);
         shapes::line(&plot, &[(0.0, 0.0), (width, 0.0), (width, height), (0.0, height), (0.0, 0.0)], BLACK, AXIS);
     }
-}
-
-pub(super) fn x_labels_height() -> f64 {
-    TICK_MARK + SPACING * (TICK + LABEL) + 4.0
 }
 
 pub(super) fn y_labels_width(panel: &Panel) -> f64 {

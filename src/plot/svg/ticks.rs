@@ -87,8 +87,7 @@ pub(super) fn label(axis: &Axis, value: f64, all: &[f64]) -> String {
 fn ticks_are_round_numbers_as_many_as_allowed() {
     let labels = |values: Vec<f64>| values.iter().map(|value| tick(*value, &values)).collect::<Vec<_>>().join(" ");
     let log = |low: f64, high: f64, most| {
-        let places = decades((low.log10(), high.log10()), most);
-        labels(places.iter().map(|place| 10_f64.powf(*place)).collect())
+        labels(decades((low.log10(), high.log10()), most).iter().map(|place| 10_f64.powf(*place)).collect())
     };
     assert_eq!(labels(ticks((-0.52, 0.46), 6)), "−0.4 −0.2 0.0 0.2 0.4");
     assert_eq!(labels(ticks((0.0, 46_900.0), 7)), "0 10\u{2009}000 20\u{2009}000 30\u{2009}000 40\u{2009}000");

@@ -30,8 +30,7 @@ fn curved(model: &Model) -> State {
         *node = [RADIUS * angle(i).sin(), RADIUS * angle(i).cos(), -angle(i)];
     }
     for (volume, pair) in state.volume.iter_mut().zip(state.nodes.windows(2)) {
-        let area = Reference::new(model.geometry, Theory::Bending, pair[0], pair[1]).area();
-        *volume = model.blank.thickness * area;
+        *volume = model.blank.thickness * Reference::new(model.geometry, Theory::Bending, pair[0], pair[1]).area();
     }
     state.tools.fill(Point::zeros());
     state
@@ -44,9 +43,7 @@ const GROWTH: f64 = 1e-5;
 fn on_a_node(model: &Model) -> (f64, f64) {
     let state = curved(model);
     with_step(model, &state, (0.01, true), |step, trial, evaluation| {
-        for (u, x) in trial.moves.iter_mut().zip(&state.nodes) {
-            *u = [GROWTH * x[0], GROWTH * x[1], 0.0];
-        }
+        trial.moves.iter_mut().zip(&state.nodes).for_each(|(u, x)| *u = [GROWTH * x[0], GROWTH * x[1], 0.0]);
         assert!(evaluate(step, trial, &NEWTON, evaluation));
         let [r, z, _] = state.nodes[ELEMENTS / 2];
         let pressure = evaluation.contacts.get(ELEMENTS).map_or(0.0, |contact| contact.pressure.value);

@@ -34,11 +34,10 @@ fn model(geometry: Geometry, theory: Theory) -> Model {
     let t = 1.0;
     let tool = |role, profile, motion| Tool { role, profile, friction: 0.12.into(), motion };
     let force = if geometry == Geometry::Axisymmetric { 9e3 } else { 120.0 };
-    let press = Press { force: force.into(), stiffness: 30.0 };
     let tools = vec![
         tool(Role::Punch, Profile::flat_punch(12.0, 4.0, t), Motion::Travel),
         tool(Role::Die, Profile::die(13.3, 4.0, t), Motion::Fixed),
-        tool(Role::Holder, Profile::holder(17.3, t), Motion::Pressed(press)),
+        tool(Role::Holder, Profile::holder(17.3, t), Motion::Pressed(Press { force: force.into(), stiffness: 30.0 })),
     ];
     let beads = vec![Bead { at: 21.0, restraining: 20.0.into(), closing: 5.0, round: None }];
     let gas = vec![Gas { face: Face::Upper, pressure: 3.0.into(), within: 15.0 }];

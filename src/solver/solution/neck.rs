@@ -42,7 +42,7 @@ fn surroundings(model: &Model) -> [f64; 2] {
 /// Finds the thinnest place by nonlocal section thickness, apart from ironing; `before` is the state one step ago.
 pub fn neck(model: &Model, state: &State, before: Option<&State>) -> Neck {
     let t0 = model.blank.thickness;
-    let section = |state: &State| NonlocalAverage::new(model, state).section_thickness(&state.thickness);
+    let section = |state: &State| NonlocalAverage::new(model, state).means(|e| state.thickness[e]);
     let thickness = section(state);
     // What two tools take off a wall is no neck.
     let strains = thickness.iter().zip(&state.ironed).map(|(thickness, [_, ironed])| (thickness / t0).ln() + ironed);
