@@ -1,7 +1,6 @@
 //! Advice: of changes that were solved, those that help.
 
 use super::*;
-use crate::table::Unit;
 use std::cmp::Reverse;
 
 const MOST: usize = 3;

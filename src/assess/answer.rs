@@ -1,13 +1,10 @@
 //! Verdict in one sentence, its failure modes, and the numbers of the part.
 
-use super::finding::labels;
 use super::press::{Load, RESERVE, with_tonnes};
 use super::tear::{self, Tear, place, tear};
-use super::*;
+use super::{finding::labels, *};
 use crate::measure::{OPENING_ANGLE, Shape, part_height, stripping_force, wall_at};
 use crate::solver::solution::Frame;
-use crate::table::{Unit, worded};
-use serde::Serialize;
 
 /// Verdict in one sentence, and the numbers that a part is known by.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -112,11 +109,6 @@ named! {
 }
 
 impl FailureMode {
-    /// Mode of a name in files.
-    pub fn from_key(key: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|mode| mode.key() == key)
-    }
-
     /// Name in text.
     pub fn label(self) -> &'static str {
         ["tears", "wrinkles", "press too small", "refused otherwise", "no result"][self as usize]

@@ -27,12 +27,10 @@ pub(super) fn sharp_corner(model: &Model, tool: &Tool) -> Option<Finding> {
          middle){others}: no sheet can follow it",
         tool.role.name()
     );
-    Finding::warning("sharp_corner", "Sharp corner", text)
-        .number(Amount::angle(first.turn.abs().to_degrees()).to(Digits::Given(1)))
-        .at_most(CORNER.to_degrees(), None)
-        .advice("draw an arc, or give `fillet`")
-        .source("the radius that a shell follows")
-        .into()
+    let turn = Amount::angle(first.turn.abs().to_degrees()).to(Digits::Given(1));
+    let warning = Finding::warning("sharp_corner", "Sharp corner", text).number(turn);
+    let warning = warning.at_most(CORNER.to_degrees(), None).advice("draw an arc, or give `fillet`");
+    Some(warning.source("the radius that a shell follows"))
 }
 
 fn reaches(model: &Model, tool: &Tool, at: Point) -> bool {

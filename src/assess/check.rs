@@ -3,13 +3,12 @@
 mod tools;
 
 use super::*;
-use crate::material::YieldCriterion;
 use crate::model::{Extent, Grading, Theory};
-use crate::units::{Unit, ZERO_CELSIUS};
+use crate::units::ZERO_CELSIUS;
 use std::fmt;
 
 /// Check of a case before it is solved.
-#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Check {
     /// Title of the case.
     pub title: String,
@@ -43,8 +42,11 @@ pub fn report(case: &Case) -> Check {
     }));
     lines.extend(case.later().iter().enumerate().map(|(i, stage)| tools::stage(i + 2, stage)));
     lines.extend(case.compare.iter().map(|spec| {
+        let tolerance = format!("{} %", 100.0 * spec.tolerance);
+        let accepted = if spec.quantity.is_curve() { &tolerance } else { "the band of the values" };
         let missing = if spec.data.is_some() { "" } else { " (no data: add the CSV file to see it)" };
-        line("compare", spec.reference.display().to_string(), format!("{spec}{missing}"))
+        let meaning = format!("{} within {accepted}{missing}", spec.quantity.name());
+        line("compare", spec.reference.display().to_string(), meaning)
     }));
     let findings = before(case);
     Check {
@@ -201,7 +203,7 @@ impl fmt::Display for Check {
 }
 
 /// Label, value and meaning.
-#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Line {
     /// Name of the value.
     pub label: String,

@@ -1,10 +1,8 @@
 //! Drawing of cups: draw ratios, size of the blank, wrinkles, ears, trimming.
 
 use super::estimate::{draw_ratio, held_area, siebel_pressure};
-use super::*;
-use super::{holder::if_open, tear::is_upright};
+use super::{holder::if_open, tear::is_upright, *};
 use crate::case::Finished;
-use crate::geometry::Piece;
 use crate::material::RValues;
 use crate::measure::{part_height, wall_at};
 use crate::rules::{AUSTENITIC, Metal, ROUNDED_RATIO};
@@ -31,13 +29,10 @@ fn single(run: &Run) -> Option<Finding> {
     let model = &run.stages.first()?.model;
     let (ratio, [limit, _]) = (draw_ratio(model)?, Metal::of(&model.material).ratios);
     let draws = super::tear::tearing(run).is_some_and(|row| row.light == Light::Green);
-    Finding::judged("draw_ratio", "Draw ratio", "{} of blank to punch; whether it draws, Tearing says")
-        .number(Amount::ratio(ratio))
-        .at_most(limit, None)
-        .light(if ratio > limit + ROUNDED_RATIO { Light::Amber } else { Light::Green })
-        .source(RATIOS)
-        .advice(if draws { "" } else { "a first draw to a larger diameter" })
-        .into()
+    let text = "{} of blank to punch; whether it draws, Tearing says";
+    let judged = Finding::judged("draw_ratio", "Draw ratio", text).number(Amount::ratio(ratio)).at_most(limit, None);
+    let judged = judged.light(if ratio > limit + ROUNDED_RATIO { Light::Amber } else { Light::Green }).source(RATIOS);
+    Some(judged.advice(if draws { "" } else { "a first draw to a larger diameter" }))
 }
 
 /// Ratio of the steepest redraw, and the draws that the ratio of blank to last punch takes; of a single draw its own.
@@ -55,19 +50,13 @@ pub(super) fn redraw(run: &Run) -> Option<Finding> {
     let (needed, [most, limit]) = (metal.draws(total), metal.ratios);
     let begin = radius(&run.stages[0]).map_or(0.0, |punch| first.blank.length / punch);
     let (is_wide, is_deep) = (begin > most + ROUNDED_RATIO, needed > draws);
-    let mut text = format!("{{}} from punch to punch; {total:.2} in all");
-    if is_deep {
-        text += &format!(", which takes {needed} draws of {}, not {draws}", metal.name);
-    }
-    if is_wide {
-        text += &format!("; {begin:.2} in the first draw, above {most}");
-    }
-    Finding::judged("redraw_ratio", "Redraw ratio", run.of_stage(text, i))
-        .number(Amount::ratio(ratio))
-        .at_most(limit, None)
-        .light(if ratio <= limit + ROUNDED_RATIO && !is_deep && !is_wide { Light::Green } else { Light::Amber })
-        .source(RATIOS)
-        .into()
+    let deep = is_deep.then(|| format!(", which takes {needed} draws of {}, not {draws}", metal.name));
+    let wide = is_wide.then(|| format!("; {begin:.2} in the first draw, above {most}"));
+    let (deep, wide) = (deep.unwrap_or_default(), wide.unwrap_or_default());
+    let text = format!("{{}} from punch to punch; {total:.2} in all{deep}{wide}");
+    let light = if ratio <= limit + ROUNDED_RATIO && !is_deep && !is_wide { Light::Green } else { Light::Amber };
+    let judged = Finding::judged("redraw_ratio", "Redraw ratio", run.of_stage(text, i)).number(Amount::ratio(ratio));
+    Some(judged.at_most(limit, None).light(light).source(RATIOS))
 }
 
 /// Siebel's pressure over the least that the holder exerts on the flange's first area, without the force that closes beads;
@@ -124,10 +113,8 @@ pub(super) fn wall_wrinkles(run: &Run) -> Option<Finding> {
         Some(i) => run.of_stage("no sleeve holds the wall that is redrawn".into(), i + 1),
         None => return None,
     };
-    Finding::judged("wall_wrinkles", "Wall wrinkles", text)
-        .light(Light::Grey)
-        .limit("an axisymmetric run cannot wrinkle, and no rule for it could be read")
-        .into()
+    let judged = Finding::judged("wall_wrinkles", "Wall wrinkles", text).light(Light::Grey);
+    Some(judged.limit("an axisymmetric run cannot wrinkle, and no rule for it could be read"))
 }
 
 /// Delayed cracking, which no line judges, of a round part beyond two draws without annealing.
@@ -166,11 +153,9 @@ pub(super) fn ears(run: &Run) -> Option<Finding> {
          (Δr = {})",
         Amount::ratio(r.planar())
     );
-    Finding::judged("ears", "Ears", text)
-        .number(Amount::place(height))
-        .limit("none: more is trimmed off")
-        .source("an estimate: hoop compression with r by direction (Yoon, Dick and Barlat 2011)")
-        .into()
+    let source = "an estimate: hoop compression with r by direction (Yoon, Dick and Barlat 2011)";
+    let judged = Finding::judged("ears", "Ears", text).number(Amount::place(height));
+    Some(judged.limit("none: more is trimmed off").source(source))
 }
 
 /// Height of the edge of a drawn cup at 0°, 45° and 90° over its mean, along the sheet \[mm\].

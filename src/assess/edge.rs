@@ -40,12 +40,8 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
                       this sheet and edge, measured by ISO 16630";
         return Some(finding.light(Light::Grey).limit("that of the edge, not in the case").advice(advice));
     };
-    finding
-        .at_most(100.0 * (limit.expansion - limit.scatter), 100.0 * limit.expansion)
-        .source("the case's blank.edge_limit, less its scatter")
-        .advice(
-            "ream the hole, or turn its burr to the punch, and give the ratio of such an edge; two steps, the edge annealed \
-             between; a larger hole for a lower collar",
-        )
-        .into()
+    let finding = finding.at_most(100.0 * (limit.expansion - limit.scatter), 100.0 * limit.expansion);
+    let advice = "ream the hole, or turn its burr to the punch, and give the ratio of such an edge; two steps, the edge \
+                  annealed between; a larger hole for a lower collar";
+    Some(finding.source("the case's blank.edge_limit, less its scatter").advice(advice))
 }

@@ -1,9 +1,6 @@
 //! Error bars of a verified case: on its numbers, and on the lights of its verdict.
 
 use super::{tear::REMEDY, *};
-use crate::case::Solution;
-use crate::units::{ErrorBar, Limits, rounded};
-use serde::ser::{Serialize, SerializeMap, Serializer};
 
 /// Row of the verdict on the end of the run.
 const RUN: &str = "stop";
@@ -11,15 +8,14 @@ const RUN: &str = "stop";
 const MOST: usize = 3;
 const SHARE: f64 = 0.05;
 
-/// List that a number stands in; keys are unique there.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Origin {
-    /// Numbers of the [`Answer`].
-    Answer,
-    /// Numbers of the part and the press.
-    Part,
-    /// Rows of the verdict.
-    Verdict,
+named! {
+    /// List that a number stands in; keys are unique there.
+    pub enum Origin;
+    /// Name in files.
+    fn key;
+    Answer: "answer", "Numbers of the [`Answer`].";
+    Part: "part", "Numbers of the part and the press.";
+    Verdict: "verdict", "Rows of the verdict.";
 }
 
 /// Number of a solution, of all its stages together.
@@ -90,7 +86,7 @@ impl Number {
 
     /// Origin, key and unit in files.
     pub fn name(&self) -> [&'static str; 3] {
-        [["answer", "part", "verdict"][self.origin as usize], self.quantity.key, self.quantity.amount.unit.spelled()]
+        [self.origin.key(), self.quantity.key, self.quantity.amount.unit.spelled()]
     }
 
     /// Contributions, such as `elements 62 % (2.1), steps 30 %` with an observed order if extrapolated; or why there is no bar.

@@ -40,10 +40,8 @@ pub(crate) fn held_area(model: &Model) -> Option<f64> {
 
 /// The holder's largest force over the area that it presses on at the start [MPa].
 pub(crate) fn holder_pressure(model: &Model) -> Option<f64> {
-    match &model.tool(Role::Holder)?.motion {
-        Motion::Pressed(press) => Some(press.force.largest() / held_area(model)?),
-        _ => None,
-    }
+    let Motion::Pressed(press) = &model.tool(Role::Holder)?.motion else { return None };
+    Some(press.force.largest() / held_area(model)?)
 }
 
 /// Tensile strength of the flange, as hot as its edge is at first \[MPa\].

@@ -1,12 +1,10 @@
 //! Findings: the one form of warnings, assumptions and rows of the verdict.
 
 use super::*;
-use crate::units::{ErrorBar, Limits};
-use serde::ser::{Serialize, SerializeMap, Serializer};
 
 named! {
     /// State of a finding against its limit.
-    #[derive(PartialOrd, Ord, serde::Serialize)]
+    #[derive(PartialOrd, Ord, Serialize)]
     #[serde(rename_all = "snake_case")]
     pub enum Light;
     /// Name in text.
@@ -18,7 +16,7 @@ named! {
 }
 
 /// Earliest time of a finding.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum When {
     /// From the case alone.
@@ -160,11 +158,8 @@ impl Finding {
     }
 
     /// Sets the change to make, unless the finding is green.
-    pub(super) fn advice(mut self, advice: impl Into<String>) -> Self {
-        if self.light != Light::Green {
-            self.advice = advice.into();
-        }
-        self
+    pub(super) fn advice(self, advice: impl Into<String>) -> Self {
+        if self.light == Light::Green { self } else { Self { advice: advice.into(), ..self } }
     }
 
     /// Sentence with the number, and its error bar if there is one.
@@ -188,10 +183,8 @@ impl Finding {
 
     /// Limit with its source; of a grey row what to give.
     pub fn sourced_limit(&self) -> String {
-        match self.light {
-            Light::Grey if !self.advice.is_empty() => self.advice.clone(),
-            _ => format!("{} ({})", self.limit, self.source),
-        }
+        let is_open = self.light == Light::Grey && !self.advice.is_empty();
+        if is_open { self.advice.clone() } else { format!("{} ({})", self.limit, self.source) }
     }
 
     /// Number that is judged, in its unit.

@@ -1,7 +1,6 @@
 //! Distance to the forming limit.
 
-use super::tear::place;
-use super::*;
+use super::{tear::place, *};
 use crate::case::file::YieldCondition;
 use crate::forming_limit::{Assessment, Curve, Judged};
 use crate::rules::THIN;
@@ -74,14 +73,11 @@ pub(super) fn margin(run: &Run) -> Option<Finding> {
     let judged = judged(joined([text, faces.unwrap_or_default()], "; ")).number(Amount::share(worst.ratio()));
     let judged = judged.at_most(100.0 * CAREFUL, 100.0);
     let light = if assessment.reached.is_some() { Light::Red } else { judged.light.min(Light::Amber) };
-    judged
-        .light(light)
-        .limit(format!("below {}; of {name}", Amount::given_share(CAREFUL)))
-        .source(match curve.is_usual {
-            true => "declared: the case gives no curve, points of the coil replace it; the share is a rule of thumb",
-            false => "the case's curve; the share is a declared rule of thumb",
-        })
-        .into()
+    let source = match curve.is_usual {
+        true => "declared: the case gives no curve, points of the coil replace it; the share is a rule of thumb",
+        false => "the case's curve; the share is a declared rule of thumb",
+    };
+    Some(judged.light(light).limit(format!("below {}; of {name}", Amount::given_share(CAREFUL))).source(source))
 }
 
 fn unjudged(name: &str, open: &Judged, at: &str) -> Finding {
@@ -89,11 +85,9 @@ fn unjudged(name: &str, open: &Judged, at: &str) -> Finding {
     let text = format!(
         "not judged {at}: the curve ends before a minor strain of {minor}, at {level}, below the major strain of {major}"
     );
-    judged(text)
-        .light(Light::Amber)
-        .limit(format!("{name}, which ends in plane strain"))
-        .source("by Hill 1948 with r̄ below 1 limits of biaxial stretching come out too high")
-        .advice(format!("{}, or give measured points of the coil in [forming_limit]", other_condition()))
+    let judged = judged(text).light(Light::Amber).limit(format!("{name}, which ends in plane strain"));
+    let judged = judged.source("by Hill 1948 with r̄ below 1 limits of biaxial stretching come out too high");
+    judged.advice(format!("{}, or give measured points of the coil in [forming_limit]", other_condition()))
 }
 
 pub(super) fn other_condition() -> String {

@@ -24,12 +24,9 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     });
     let assumed = "the case's constants, assumed: no source is given; the share is declared";
     let source = run.case.sources.fracture.as_deref().unwrap_or(assumed);
-    Finding::judged("fracture", "Fracture", joined([uses, breaks], "; "))
-        .number(Amount::share(damage))
-        .at_most(100.0 * CAREFUL, 100.0)
-        .limit(format!("{criterion}, near it from {}", Amount::given_share(CAREFUL)))
-        .source(source)
-        .into()
+    let judged = Finding::judged("fracture", "Fracture", joined([uses, breaks], "; ")).number(Amount::share(damage));
+    let limit = format!("{criterion}, near it from {}", Amount::given_share(CAREFUL));
+    Some(judged.at_most(100.0 * CAREFUL, 100.0).limit(limit).source(source))
 }
 
 fn face(stage: &StageSolution, s0: f64) -> &'static str {

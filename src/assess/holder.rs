@@ -60,10 +60,9 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     }
     let last = first.steps.iter().rev().find(|step| step.holder_force > 0.0)?;
     let (pressure, most) = (holder_pressure(model).unwrap_or(0.0), PRESSURE * flange_strength(model));
-    let mut text = format!("lifted by {{}}; presses with {} at first", Amount::stress(pressure));
-    if last.rim_share > RIM_SHARE {
-        text += &format!("; at the end it sits on the outer {} only", Amount::size(StepRecord::RIM * thickness));
-    }
+    let rim = (last.rim_share > RIM_SHARE).then(|| Amount::size(StepRecord::RIM * thickness));
+    let rim = rim.map_or_else(String::new, |rim| format!("; at the end it sits on the outer {rim} only"));
+    let text = format!("lifted by {{}}; presses with {} at first{rim}", Amount::stress(pressure));
     let [lifted, off] = LIFTED.map(|times| Amount::thickness(times * thickness));
     let judged = judged(run.of_stage(text, 0)).number(Amount::thickness(lift)).at_most(lifted.value, off.value);
     let light = if pressure > most { judged.light.max(Light::Amber) } else { judged.light };

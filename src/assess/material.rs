@@ -1,9 +1,7 @@
 //! Material data: sheet, tensile strength, yield condition, range of the hardening law.
 
-use super::*;
-use super::{estimate::tensile_strength, forming_limit::other_condition};
+use super::{estimate::tensile_strength, forming_limit::other_condition, *};
 use crate::forming_limit::SHORTEST;
-use crate::material::YieldCriterion;
 use crate::units::ZERO_CELSIUS;
 
 /// Tensile strengths of cold-formed sheet \[MPa\].
@@ -76,14 +74,12 @@ pub(super) fn yield_condition(run: &Run) -> Option<Finding> {
             judged(&format!("Hosford, exponent {}, r̄ = {{}}", Amount::number(hosford.exponent())))
         }
         YieldCriterion::Hill48(_) if r < LEAST_R && is_biaxial(run, last) => {
-            judged("Hill 1948, r̄ = {}; too soft where the sheet is worst off, stretched both ways")
-                .at_least(LEAST_R, None)
-                .advice(other_condition())
+            let text = "Hill 1948, r̄ = {}; too soft where the sheet is worst off, stretched both ways";
+            judged(text).at_least(LEAST_R, None).advice(other_condition())
         }
         YieldCriterion::Hill48(_) if r > MOST_R => {
-            judged("Hill 1948, r̄ = {}; too strong in walls and where the sheet is stretched both ways")
-                .at_most(MOST_R, None)
-                .advice(other_condition())
+            let text = "Hill 1948, r̄ = {}; too strong in walls and where the sheet is stretched both ways";
+            judged(text).at_most(MOST_R, None).advice(other_condition())
         }
         YieldCriterion::Hill48(_) => judged("Hill 1948, r̄ = {}"),
     };

@@ -32,13 +32,17 @@ pub use holder::holder_lift;
 pub use size::{SIZE_CHECKS, size_doubts};
 pub use tear::tears_at;
 
-use crate::case::Case;
+use crate::case::{Case, Solution};
 use crate::forming_limit::assess;
+use crate::geometry::Piece;
+use crate::material::YieldCriterion;
 use crate::measure::events;
 use crate::model::{Edge, Geometry, Mode, Model, Motion, Role, Tool, tool_sizes::extent};
 use crate::solver::solution::{StageSolution, StepRecord, StopKind};
-use crate::units::{Amount, Digits, Quantity, Sense, joined};
+use crate::table::worded;
+use crate::units::{Amount, Digits, ErrorBar, Limits, Quantity, Sense, Unit, joined, rounded, significant};
 use forming_limit::Nearest;
+use serde::{Serialize, Serializer, ser::SerializeMap};
 
 const ON_CASE: &[fn(&Case) -> Option<Finding>] = &[material::mixed, material::thickness, sensitivity::assumed];
 

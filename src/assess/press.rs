@@ -2,8 +2,8 @@
 
 use super::*;
 use crate::case::Press;
-use crate::table::{JOULES, Unit};
-use crate::units::{DisplaySettings, significant};
+use crate::table::JOULES;
+use crate::units::DisplaySettings;
 
 /// Share of a rating from which on little of it is left \[–\]: a declared rule of thumb.
 const NEAR: f64 = 0.8;
@@ -34,10 +34,9 @@ impl<'a> Load<'a> {
 
     /// Force of a holder that is pressed, with what its distance blocks bear \[N, or N/mm\].
     pub fn holder(&self) -> f64 {
-        match self.on.model.tool(Role::Holder).map(|holder| &holder.motion) {
-            Some(Motion::Pressed(_)) => self.step.holder_force + self.step.block_force,
-            _ => 0.0,
-        }
+        let holder = self.on.model.tool(Role::Holder);
+        let is_pressed = holder.is_some_and(|holder| matches!(holder.motion, Motion::Pressed(_)));
+        if is_pressed { self.step.holder_force + self.step.block_force } else { 0.0 }
     }
 
     /// Force of punch and holder at the same instant \[N, or N/mm\].
@@ -111,7 +110,6 @@ fn rated(judged: Finding, load: Amount, rating: Option<f64>) -> Finding {
         let advice = format!("give {depth}`[press]` force and energy: the ratings on its data sheet");
         return judged.light(Light::Grey).limit("the press's rating, not in the case").advice(advice);
     };
-    judged
-        .at_most(NEAR * rating, rating)
-        .limit(format!("{}{depth}", with_tonnes(load.with_value(rating).to(Digits::Given(3)))))
+    let rated = with_tonnes(load.with_value(rating).to(Digits::Given(3)));
+    judged.at_most(NEAR * rating, rating).limit(format!("{rated}{depth}"))
 }

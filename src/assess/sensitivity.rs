@@ -1,8 +1,6 @@
 //! Friction, and hardening beyond the range of its fit: which lines of the verdict hang on them.
 
-use super::advice::NO_DESIGN;
-use super::*;
-use crate::case::Solution;
+use super::{advice::NO_DESIGN, *};
 
 /// Change of every tool's friction that a verdict should bear \[–\]: declared, lubrication varies by so much.
 const CHANGE: f64 = 0.02;
@@ -12,13 +10,10 @@ const WEAKER: f64 = 0.5;
 /// Friction, judged once runs with less and more of it are solved.
 pub(super) fn row(run: &Run) -> Option<Finding> {
     let most = largest_coefficient(run.case.model())?;
-    Finding::judged("friction", "Friction", "{}; less and more were not solved")
-        .number(Amount::number(most))
-        .light(Light::Grey)
-        .limit("changes no other line")
-        .source("declared: lubrication varies by so much")
-        .advice("without `--no-advice` it is solved with less and more friction")
-        .into()
+    let judged = Finding::judged("friction", "Friction", "{}; less and more were not solved").light(Light::Grey);
+    let judged = judged.number(Amount::number(most)).limit("changes no other line");
+    let judged = judged.source("declared: lubrication varies by so much");
+    Some(judged.advice("without `--no-advice` it is solved with less and more friction"))
 }
 
 pub(super) fn assumed(case: &Case) -> Option<Finding> {
@@ -31,11 +26,8 @@ fn largest_coefficient(model: &Model) -> Option<f64> {
     model.tools.iter().map(|tool| tool.friction.largest_coefficient()).reduce(f64::max)
 }
 
-/// Change of a case by which a row of the verdict is judged.
-pub struct Neighbour {
-    row: &'static str,
-    label: String,
-}
+/// Row of the verdict that a changed case judges, and the change.
+pub type Neighbour = (&'static str, String);
 
 /// Cases with less and more friction on every tool, at least 0 and at most 1, and one that hardens less beyond the range of
 /// its law's fit where a verdict uses it there.
@@ -47,8 +39,7 @@ pub fn neighbours(case: &Case, findings: &[Finding]) -> Vec<(Neighbour, Case)> {
     };
     let friction = [-CHANGE, CHANGE].map(|by| {
         let other = changed(&|model| model.tools.iter_mut().for_each(|tool| tool.friction = tool.friction.changed(by)));
-        let most = largest_coefficient(other.model()).unwrap_or(0.0);
-        (Neighbour { row: "friction", label: format!("at {}", Amount::number(most)) }, other)
+        (("friction", format!("at {}", Amount::number(largest_coefficient(other.model()).unwrap_or(0.0)))), other)
     });
     let is_beyond = |row: &Finding| row.key == "hardening_range" && row.light == Light::Grey;
     let end = case.model().material.measured_up_to().filter(|_| findings.iter().any(is_beyond));
@@ -57,8 +48,7 @@ pub fn neighbours(case: &Case, findings: &[Finding]) -> Vec<(Neighbour, Case)> {
             let hardening = &mut model.material.hardening;
             *hardening = hardening.clone().weakened(WEAKER, end);
         });
-        let label = format!("with half the hardening beyond {}", Amount::number(end));
-        (Neighbour { row: "hardening_range", label }, other)
+        (("hardening_range", format!("with half the hardening beyond {}", Amount::number(end))), other)
     });
     friction.into_iter().chain(weaker).filter(|(_, other)| other.stages != case.stages).collect()
 }
@@ -70,11 +60,11 @@ pub fn judge(solution: &Solution, others: &[(Neighbour, Solution)], findings: &m
         ("friction", "measure it, or leave more margin there"),
         ("hardening_range", "add points at larger strains, from a bulge test"),
     ] {
-        let of_row: Vec<_> = after.iter().filter(|(other, _)| other.row == key).collect();
+        let of_row: Vec<_> = after.iter().filter(|((row, _), _)| *row == key).collect();
         let Some(row) = findings.iter_mut().find(|row| row.key == key && !of_row.is_empty()) else { continue };
         let is_worse = of_row.iter().any(|(_, (worse, _))| *worse);
         let changes = of_row.iter().filter(|(_, (_, text))| !text.is_empty());
-        let changes = joined(changes.map(|(other, (_, text))| format!("{} {text}", other.label)), ", ");
+        let changes = joined(changes.map(|((_, change), (_, text))| format!("{change} {text}")), ", ");
         let found = row.text.split("; ").next().unwrap_or_default();
         row.text = match (changes.is_empty(), key) {
             (false, _) => format!("{found}; {changes}"),

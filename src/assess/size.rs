@@ -5,7 +5,6 @@ use super::*;
 use crate::assess::estimate::draw_ratio;
 use crate::model::tool_sizes::throat;
 use crate::rules::LIMITING_RATIO;
-use crate::units::significant;
 use std::ops::RangeInclusive;
 
 /// Widths of blanks and tools \[mm\].

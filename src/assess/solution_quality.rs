@@ -81,12 +81,10 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let (check, share) = all.max_by(|&(a, x), &(b, y)| {
         is_red(a, x).cmp(&is_red(b, y)).then((x / a.limits.0).total_cmp(&(y / b.limits.0)))
     })?;
-    Finding::judged("solution_quality", "Solution quality", check.text)
-        .number(Amount::share(share))
-        .at_most(100.0 * check.limits.0, check.limits.1.map(|red| 100.0 * red))
-        .source("declared accuracy of the solver; bends: continuum solids; strain paths: declared")
-        .advice(check.advice)
-        .into()
+    let source = "declared accuracy of the solver; bends: continuum solids; strain paths: declared";
+    let judged = Finding::judged("solution_quality", "Solution quality", check.text).number(Amount::share(share));
+    let judged = judged.at_most(100.0 * check.limits.0, check.limits.1.map(|red| 100.0 * red));
+    Some(judged.source(source).advice(check.advice))
 }
 
 /// Plastic strain, or stress over the yield stress, from which a point has yielded again \[–\].
@@ -159,10 +157,7 @@ pub(super) fn line_end(model: &Model, tool: &Tool) -> Option<Finding> {
          behind its face: the sheet bends over the end as over a sharp edge",
         tool.role.name()
     );
-    Finding::warning("line_end", "End of a tool", text)
-        .number(Amount::size(depth))
-        .at_least(model.travel, None)
-        .source("a tool acts only where it is drawn")
-        .advice(format!("draw {whole} on to an upright wall, or as far as z = {to}"))
-        .into()
+    let warning = Finding::warning("line_end", "End of a tool", text).number(Amount::size(depth));
+    let warning = warning.at_least(model.travel, None).source("a tool acts only where it is drawn");
+    Some(warning.advice(format!("draw {whole} on to an upright wall, or as far as z = {to}")))
 }

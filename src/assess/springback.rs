@@ -2,10 +2,8 @@
 
 use super::*;
 use crate::case::Springback;
-use crate::geometry::Piece;
 use crate::material::chaboche::shifting;
 use crate::measure::{Change, EDGE, FLANGE_ANGLE, OPENING_ANGLE, Shape, WALL_ANGLE, changes};
-use crate::units::Unit;
 
 /// Share of a tolerance above which the scatter of sheet and process may use the rest: from coil to coil spring-back varies by
 /// a fifth and more \[–\].
@@ -57,13 +55,11 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let is_isotropic = shifting(last.model.material.chaboche).is_none();
     let law = is_isotropic.then(|| "by isotropic hardening, no [[material.kinematic]]".to_owned());
     let texts = ["{} off".to_owned()].into_iter().chain(judged.iter().map(Judged::text)).chain(others).chain(law);
-    Finding::judged("springback", "Spring-back", joined(texts, "; "))
-        .number(Amount::new(worst.missed.abs(), worst.change.quantity.unit, Digits::Significant(3)))
-        .at_most(NEAR * worst.tolerance, worst.tolerance)
-        .limit(joined(limits, "; "))
-        .source("the part's tolerance, [springback]; near it from 80 % on, a declared rule of thumb")
-        .advice(advice(run, &judged, wall))
-        .into()
+    let missed = Amount::new(worst.missed.abs(), worst.change.quantity.unit, Digits::Significant(3));
+    let finding = Finding::judged("springback", "Spring-back", joined(texts, "; ")).number(missed);
+    let finding = finding.at_most(NEAR * worst.tolerance, worst.tolerance).limit(joined(limits, "; "));
+    let source = "the part's tolerance, [springback]; near it from 80 % on, a declared rule of thumb";
+    Some(finding.source(source).advice(advice(run, &judged, wall)))
 }
 
 /// Over-bend of the tools by one step of a fixed point, their angle less the error; and a search by runs.

@@ -24,12 +24,8 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let at = if stages > 1 { format!("stage {} of {stages}", run.stages.len()) } else { String::new() };
     let closes = last.closing.is_some() && model.tool(Role::Punch).is_none();
     let closing = if closes { "while the holder closes".into() } else { String::new() };
-    Finding::judged("stop", "Run", joined([at, closing, text], ": "))
-        .light(light)
-        .limit("reaches its end")
-        .source("the solver")
-        .advice(advice(last))
-        .into()
+    let judged = Finding::judged("stop", "Run", joined([at, closing, text], ": ")).light(light);
+    Some(judged.limit("reaches its end").source("the solver").advice(advice(last)))
 }
 
 fn advice(last: &StageSolution) -> &'static str {
@@ -73,10 +69,7 @@ pub(super) fn contact_share(stage: &StageSolution) -> Option<Finding> {
     let wanted = stage.model.stop.contact_share.filter(|_| stage.stop.kind != StopKind::ContactShare)?;
     let limit = Amount::given_share(wanted);
     let text = format!("{{}} of the sheet lies on its tools at the end, not the {limit} that were to end the run");
-    Finding::warning("contact_share", "Contact", text)
-        .number(Amount::share(share))
-        .at_least(100.0 * wanted, None)
-        .source("the case's stop.contact_share")
-        .advice("give more time, travel or pressure")
-        .into()
+    let warning = Finding::warning("contact_share", "Contact", text).number(Amount::share(share));
+    let warning = warning.at_least(100.0 * wanted, None).source("the case's stop.contact_share");
+    Some(warning.advice("give more time, travel or pressure"))
 }

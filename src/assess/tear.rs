@@ -3,7 +3,6 @@
 use super::*;
 use crate::geometry::Arc;
 use crate::measure::{bottom, element_at, place_on_part};
-use crate::table::{Unit, worded};
 
 /// Thinning from which a designer looks twice \[–\].
 pub(super) const CAREFUL: f64 = 0.20;
@@ -66,10 +65,8 @@ pub(super) fn tearing(run: &Run) -> Option<Finding> {
     let stage = &run.stages[i];
     let model = &stage.model;
     // What comes after a tear is another sheet.
-    let (step, lead) = match stage.steps.iter().find(|step| step.tearing_index > TEARING[1]) {
-        Some(first) => (first, "it tears "),
-        None => (step, ""),
-    };
+    let first = stage.steps.iter().find(|step| step.tearing_index > TEARING[1]);
+    let (step, lead) = first.map_or((step, ""), |first| (first, "it tears "));
     let [carries, bears] = step.tearing_forces.map(|force| Amount::force(force, Unit::NPerMm));
     let place = on_part(stage, step.tearing_s0);
     let instant =
@@ -77,13 +74,10 @@ pub(super) fn tearing(run: &Run) -> Option<Finding> {
     let text = format!("{{}} of what it bears; {lead}{place}{instant}: {carries} of {bears}");
     let [near, tears] = TEARING.map(|limit| 100.0 * limit);
     let near = if model.blank.edge == Edge::Free { near } else { tears };
-    (step.tearing_index > 0.0).then(|| {
-        Finding::judged("tearing", "Tearing", run.of_stage(text, i))
-            .number(Amount::share(step.tearing_index))
-            .at_most(near, tears)
-            .source("Considère in plane strain, bent over the punch; 90 %: declared")
-            .advice(REMEDY)
-    })
+    let judged = Finding::judged("tearing", "Tearing", run.of_stage(text, i)).number(Amount::share(step.tearing_index));
+    let judged = judged.at_most(near, tears).advice(REMEDY);
+    let judged = judged.source("Considère in plane strain, bent over the punch; 90 %: declared");
+    (step.tearing_index > 0.0).then_some(judged)
 }
 
 pub(super) struct Tear<'a> {

@@ -47,9 +47,9 @@ pub(super) fn clearance(run: &Run) -> Option<Finding> {
         let wall = wall.filter(|wall| upright && *wall < gap);
         let sizes = |wall| format!("; the wall is {} thick at most: nothing sizes it", Amount::thicknesses(wall));
         let text = run.of_stage("{} between punch and die".into(), i) + &wall.map_or_else(String::new, sizes);
-        let judged = Finding::judged("clearance", "Clearance", text)
-            .number(Amount::thicknesses(gap).to(Digits::Decimals(2)))
-            .source("a sheet that does not thin is ironed in less; 1.5 t: declared");
+        let number = Amount::thicknesses(gap).to(Digits::Decimals(2));
+        let judged = Finding::judged("clearance", "Clearance", text).number(number);
+        let judged = judged.source("a sheet that does not thin is ironed in less; 1.5 t: declared");
         let limit = if upright { format!("; {WIDE} t at most beside a straight wall") } else { String::new() };
         let judged = if gap > LEAST { judged.at_most(wide, None) } else { judged.light(Light::Amber) };
         let throat = Amount::size(2.0 * (SIZED * blank.thickness + extent(stage.model.tool(Role::Punch)?).1));
@@ -71,10 +71,8 @@ pub(super) fn ironing(run: &Run) -> Option<Finding> {
             Amount::stress(run.largest(|step| step.ironing_pressure)?)
         ),
     };
-    Finding::judged("ironing", "Ironing", text)
-        .number(Amount::share(most.ironing))
-        .at_most(100.0 * LIGHTLY, 100.0 * IRONING_LIMIT)
-        .source("up to 15 % a draw sizes its wall (declared); in one pass (Chin. J. Mech. Eng. 2022, 10.1186/s10033-022-00681-9)")
-        .advice("a wider gap between punch and die there (`stampflow new cup --clearance`), or one draw more")
-        .into()
+    let source = "up to 15 % a draw sizes its wall (declared); in one pass (Chin. J. Mech. Eng. 2022, 10.1186/s10033-022-00681-9)";
+    let advice = "a wider gap between punch and die there (`stampflow new cup --clearance`), or one draw more";
+    let judged = Finding::judged("ironing", "Ironing", text).number(Amount::share(most.ironing));
+    Some(judged.at_most(100.0 * LIGHTLY, 100.0 * IRONING_LIMIT).source(source).advice(advice))
 }

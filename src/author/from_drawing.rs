@@ -14,8 +14,7 @@ use crate::model::{Extent, Geometry, Role};
 use crate::units::{joined, trimmed};
 use crate::writer::{Values, comment, drawn_profile, exact, forming_limit};
 use sizes::{DrawnTools, placeholder};
-use std::fmt;
-use std::path::Path;
+use std::{fmt, path::Path};
 
 /// Options of an import, and sizes that are known besides the drawing.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -191,9 +190,8 @@ fn later_stages(later: &[Operation], tools: &[DrawnTools], pressure: f64, fricti
     let stage = |(later, (before, now)): (&Operation, (&DrawnTools, &DrawnTools))| {
         let mut values = tool_values(&later.tools, friction);
         values.set("label", later.number.map_or_else(String::new, |number| format!("op{number}")), "");
-        if before.holder.is_some() && now.holder.is_none() {
-            values.set("remove", "[\"holder\"]", "no holder is drawn for the new die");
-        }
+        let is_left_out = before.holder.is_some() && now.holder.is_none();
+        is_left_out.then(|| values.set("remove", "[\"holder\"]", "no holder is drawn for the new die"));
         let why = "the die stands inside the part before: a reverse redraw";
         now.is_reverse(before).then(|| values.set("turn_over", true, why));
         values.set("move", exact(now.travel.value), &now.travel.why);

@@ -1,15 +1,11 @@
 //! `[[compare]]`: comparisons with reference curves, point by point, and with bands that values without places span.
 
-use super::file::Named;
-use super::*;
+use super::{file::Named, *};
 use crate::table::Csv;
 use crate::units::{Dimensioned, Number, Positive, Ratio};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::fmt;
-
-/// File of a folder that names the sources of the others, one table per file name.
-pub const SOURCES: &str = "sources.toml";
 
 /// Kinds of reference, the hardest proof first.
 pub const KINDS: [&str; 5] = ["experiment", "producer", "benchmark", "cross-check", "closed form"];
@@ -55,59 +51,34 @@ pub struct Source {
     pub scatter: Option<String>,
 }
 
-macro_rules! quantities {
-    ($($(#[$attribute:meta])+ $quantity:ident $name:literal $label:literal)+) => {
-        /// Compared quantity.
-        #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
-        pub enum ComparedQuantity {
-            $($(#[$attribute])+ #[serde(rename = $name)] $quantity,)+
-        }
-
-        /// Names of all quantities, as in case files.
-        pub const NAMES: [&str; [$($name),+].len()] = [$($name),+];
-        const LABELS: [&str; NAMES.len()] = [$($label),+];
-    };
-}
-
-quantities! {
-    /// Punch force at equal travel, a curve.
-    #[default]
-    PunchForce "punch_force" "force"
-    /// Punch travel at equal force, a curve.
-    Travel "travel" "travel"
-    /// Thickness over the initial distance from the axis or symmetry plane at the end, a curve.
-    ThicknessAtS0 "thickness_at_s0" "thickness"
-    /// Thickness over the present radius at the end, a curve.
-    ThicknessAtRadius "thickness_at_radius" "thickness"
-    /// Minor over major true strain of the place that is thinnest at the end, on its way there, a curve; with `[forming_limit]`.
-    StrainPath "strain_path" "strain"
-    /// Draw-in of the edge at equal travel, a curve.
-    DrawInAtTravel "draw_in_at_travel" "draw-in"
-    /// Diameter at the blank's edge (in plane strain the width between both edges) at the end, a band.
-    EdgeDiameter "edge_diameter" "diameter"
-    /// Inward move of the edge at the end, a band.
-    DrawIn "draw_in" "draw-in"
-    /// Smallest thickness at the end, a band.
-    Thinnest "thinnest" "thinnest"
-    /// Thickness of the whole section at the end, a band.
-    Thickness "thickness" "thickness"
-    /// Largest punch force of the run, a band.
-    PeakForce "peak_force" "peak force"
-    /// Punch travel at the largest punch force, once the force has fallen from it, a band: the index of a cupping test.
-    PeakTravel "peak_travel" "peak at"
-    /// Opening of the ring of `[springback]` when it is slit, a band.
-    RingOpening "ring_opening" "ring"
+named! {
+    /// Compared quantity.
+    #[derive(Default, Deserialize, JsonSchema)]
+    #[serde(rename_all = "snake_case")]
+    pub enum ComparedQuantity;
+    /// Name in case files, tables and file names.
+    fn name;
+    #[default] PunchForce: "punch_force", "Punch force at equal travel, a curve.";
+    Travel: "travel", "Punch travel at equal force, a curve.";
+    ThicknessAtS0: "thickness_at_s0", "Thickness over the initial distance from the axis or symmetry plane at the end, a curve.";
+    ThicknessAtRadius: "thickness_at_radius", "Thickness over the present radius at the end, a curve.";
+    StrainPath: "strain_path", "Minor over major true strain of the place that is thinnest at the end, on its way there, a curve; with `[forming_limit]`.";
+    DrawInAtTravel: "draw_in_at_travel", "Draw-in of the edge at equal travel, a curve.";
+    EdgeDiameter: "edge_diameter", "Diameter at the blank's edge (in plane strain the width between both edges) at the end, a band.";
+    DrawIn: "draw_in", "Inward move of the edge at the end, a band.";
+    Thinnest: "thinnest", "Smallest thickness at the end, a band.";
+    Thickness: "thickness", "Thickness of the whole section at the end, a band.";
+    PeakForce: "peak_force", "Largest punch force of the run, a band.";
+    PeakTravel: "peak_travel", "Punch travel at the largest punch force, once the force has fallen from it, a band: the index of a cupping test.";
+    RingOpening: "ring_opening", "Opening of the ring of `[springback]` when it is slit, a band.";
 }
 
 impl ComparedQuantity {
-    /// Name in case files, tables and file names.
-    pub fn name(self) -> &'static str {
-        NAMES[self as usize]
-    }
-
     /// Short label.
     pub fn label(self) -> &'static str {
-        LABELS[self as usize]
+        let labels = "force, travel, thickness, thickness, strain, draw-in, diameter, draw-in, thinnest, thickness, peak force, \
+                      peak at, ring";
+        labels.split(", ").nth(self as usize).unwrap_or_default()
     }
 
     /// True of a curve, false of a band.
@@ -120,15 +91,6 @@ impl Spec {
     /// Name of the reference file without its folders.
     pub fn file(&self) -> String {
         self.reference.file_name().unwrap_or_default().to_string_lossy().into_owned()
-    }
-}
-
-impl fmt::Display for Spec {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.quantity.is_curve() {
-            true => write!(f, "{} within {} %", self.quantity.name(), 100.0 * self.tolerance),
-            false => write!(f, "{} within the band of the values", self.quantity.name()),
-        }
     }
 }
 
@@ -195,7 +157,7 @@ pub(super) fn specs(file: &CaseFile, limited: bool, source: &source::Source) -> 
 }
 
 fn provenance(path: &Path, key: &str, source: &source::Source) -> Result<Option<Source>> {
-    let sources = path.with_file_name(SOURCES);
+    let sources = path.with_file_name("sources.toml");
     let unreadable = |why: &str| {
         let what = format!("cannot read {}: {why}", sources.display());
         source.error(key, what, "one table per reference file with citation, kind, grade and, if known, scatter")

@@ -2,8 +2,7 @@
 
 use super::files::{remedy, visible};
 use super::schema::{example, is_index};
-use super::source::path_at;
-use super::*;
+use super::{source::path_at, *};
 use crate::units::{self, QuantityError, did_you_mean, shortened};
 use miette::{Diagnostic, GraphicalReportHandler, GraphicalTheme, NamedSource, SourceSpan};
 use std::{io::ErrorKind, ops::Range, sync::Arc};

@@ -242,10 +242,8 @@ pub(super) fn complete(file: &mut CaseFile, source: &Source) -> Result<Sources> 
     let keys = ["young", "poisson", "anisotropy", "yield_condition", "rate", "softening", "hardening"];
     let replaced = source.written("material", &keys);
     let own_hardening = replaced.contains(&"hardening");
-    let is_wanted = match &file.forming_limit {
-        Some(own) => own.measured == Some(true) && own.points.is_none(),
-        None => !own_hardening,
-    };
+    let own = file.forming_limit.as_ref().map(|own| own.measured == Some(true) && own.points.is_none());
+    let is_wanted = own.unwrap_or(!own_hardening);
     if let Some(measured) = forming_limit.filter(|_| is_wanted) {
         let own = file.forming_limit.take().unwrap_or_else(|| measured.clone());
         let strain = own.strain.or(measured.strain);

@@ -89,11 +89,6 @@ impl Case {
         Solution { stages: solve(&self.stages, observer), case: self, wall: None }
     }
 
-    /// The stage that begins with the flat blank.
-    pub fn first(&self) -> &Stage {
-        &self.stages[0]
-    }
-
     /// The stages after it.
     pub fn later(&self) -> &[Stage] {
         &self.stages[1..]
@@ -101,18 +96,13 @@ impl Case {
 
     /// The model of the first stage.
     pub fn model(&self) -> &Model {
-        &self.first().model
-    }
-
-    /// The names of all stages.
-    pub fn stage_names(&self) -> impl Iterator<Item = &str> {
-        self.stages.iter().map(|stage| stage.name.as_str())
+        &self.stages[0].model
     }
 
     /// Label of stage `i`, counted from 0, in folders and headings: `1-draw`; `None` in a case of one stage.
     pub fn stage_label(&self, i: usize) -> Option<String> {
-        let name = self.stage_names().nth(i).filter(|_| self.stages.len() > 1)?;
-        Some(format!("{}-{name}", i + 1))
+        let stage = self.stages.get(i).filter(|_| self.stages.len() > 1)?;
+        Some(format!("{}-{}", i + 1, stage.name))
     }
 }
 

@@ -1,7 +1,6 @@
 //! Text of a case with the place of every key: reads it, words its errors, collects notes.
 
-use super::schema::example;
-use super::*;
+use super::{schema::example, *};
 use crate::units::{Dimensioned, Length, thicknesses};
 use miette::NamedSource;
 use serde::de::DeserializeOwned;

@@ -126,9 +126,7 @@ fn reasons(all: &[(String, Comparison)]) -> String {
         let reason = comparison.spec.reason.trim_end_matches('.');
         let (quantity, miss) = (comparison.spec.quantity.label(), comparison.worst().unwrap_or_default());
         let line = format!("{case}, {quantity} {miss}: {reason}.");
-        if !lines.contains(&line) {
-            lines.push(line);
-        }
+        lines.extend((!lines.contains(&line)).then_some(line));
     }
     lines.join("\n")
 }

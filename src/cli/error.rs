@@ -64,16 +64,13 @@ pub fn complained(failed: &[anyhow::Error], code: Code) -> Code {
 fn complain(error: &anyhow::Error) {
     warn(match of_case(error) {
         _ if Json::is_requested() => as_json(error).to_string().into(),
-        Some(case) => ScreenText::coloured(case.render(screen::has_colours(&std::io::stderr()))),
+        Some(case) => ScreenText(case.render(screen::has_colours(&std::io::stderr()))),
         None => ScreenText::from(format!("error: {error:#}")),
     });
 }
 
 fn of_case(error: &anyhow::Error) -> Option<&CaseError> {
-    match error.downcast_ref() {
-        Some(StudyError::Case(error)) => Some(error),
-        _ => error.downcast_ref(),
-    }
+    if let Some(StudyError::Case(error)) = error.downcast_ref() { Some(error) } else { error.downcast_ref() }
 }
 
 fn as_json(error: &anyhow::Error) -> Value {

@@ -40,10 +40,8 @@ pub fn fit(args: &Args) -> Result<Code> {
         [file] => keys(args, file, (&dir, folder()?)),
         _ => Err(bad_request("give tension tests, or one case or study file")),
     };
-    match fitted {
-        Err(error) if is_interrupted() && error.is::<StudyError>() => Ok(Code::Interrupted),
-        fitted => fitted,
-    }
+    let is_cut = is_interrupted() && fitted.as_ref().is_err_and(|error| error.is::<StudyError>());
+    if is_cut { Ok(Code::Interrupted) } else { fitted }
 }
 
 fn laws(args: &Args, place: (&Path, ResultFolder)) -> Result<Code> {

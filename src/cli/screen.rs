@@ -11,16 +11,9 @@ use std::ops::Add;
 const WIDTH: usize = 80;
 const WIDEST: usize = 120;
 
-/// Text for a screen; control characters of titles, names and values are written as codes.
+/// Text for a screen; control characters of titles, names and values are written as codes, but for colours of its own.
 #[derive(Default)]
-pub struct ScreenText(String);
-
-impl ScreenText {
-    /// Text with colours of its own, the rest of it [`visible`].
-    pub fn coloured(text: String) -> Self {
-        Self(text)
-    }
-}
+pub struct ScreenText(pub String);
 
 impl<T: AsRef<str>> From<T> for ScreenText {
     fn from(text: T) -> Self {

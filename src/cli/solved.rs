@@ -86,8 +86,6 @@ fn judged(findings: &[Finding]) -> ScreenText {
         let advice = Some(&alike[0].advice).filter(|advice| !advice.is_empty());
         lines.extend(advice.map(|advice| ["", "→ change", advice].map(Cell::from)));
     }
-    if !lines.is_empty() {
-        lines.push([""; 3].map(Cell::from));
-    }
+    lines.extend((!lines.is_empty()).then(|| [""; 3].map(Cell::from)));
     rows(lines)
 }

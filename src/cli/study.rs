@@ -39,8 +39,7 @@ options! {
     } options: ShardOptions;
     /// Find the limit of a condition, or the value that meets a target
     SearchArgs {
-        vary: Option<String> = "KEY=RANGE" [long]
-            "A key and its range, KEY=FROM..TO UNIT, with `log` for even ratios",
+        vary: Option<String> = "KEY=RANGE" [long] "A key and its range, KEY=FROM..TO UNIT, with `log` for even ratios",
         goal: Option<String> = "SEARCH" [long = "for"] "A search with a name",
         largest: bool [long, conflicts_with = "smallest"] "Find the largest value at which the condition holds",
         smallest: bool [long] "Find the smallest value",

@@ -1,7 +1,6 @@
 //! Layers of lines and arcs in true size, for CAD: as a picture with a group for each layer, and as a table.
 
-use super::sections::whole_sheet;
-use super::*;
+use super::{sections::whole_sheet, *};
 use crate::geometry::Bounds;
 use crate::units::trimmed;
 use std::{f64::consts::PI, fmt::Write};

@@ -1,9 +1,7 @@
 //! Frames of a run for animation and ParaView; no step is made to land on them, so that the run stays the same.
 
-use super::animation::PICTURES;
-use super::*;
-use crate::solver::solution::ThroughThickness;
-use crate::solver::{Observer, state::State};
+use super::{animation::PICTURES, *};
+use crate::solver::{Observer, solution::ThroughThickness, state::State};
 
 /// Files that are written on request only, from the frames of a [`FrameRecorder`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

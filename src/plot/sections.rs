@@ -1,7 +1,6 @@
 //! Outlines of sheet and tools in a section.
 
-use super::palette::PALE;
-use super::*;
+use super::{palette::PALE, *};
 use crate::geometry::on_axis;
 use crate::plot::fields::element::{R, Z};
 use crate::solver::solution::NodeRecord;

@@ -1,7 +1,6 @@
 //! Solved stage with what its pictures and tables need of its case.
 
-use super::*;
-use super::{palette::COLORS, svg::text};
+use super::{palette::COLORS, svg::text, *};
 use crate::assess::{self, Finding, Kind, sentences};
 use crate::case::{Case, Solution};
 use crate::forming_limit::{Assessment, assess};

@@ -1,8 +1,7 @@
 //! Thinning as colours: one scale for all pictures of a stage, the thinner the darker.
 
-use super::palette::viridis;
 use super::sections::{mirrored, sheet, whole_sheet};
-use super::*;
+use super::{palette::viridis, *};
 use std::ops::Range;
 
 /// Largest share of the colour map: lighter colours are lost on paper.

@@ -1,9 +1,6 @@
 //! First page: verdict, what to change, key numbers, the part and the load.
 
-use super::page::in_words;
-use super::results::PART;
-use super::sections::warnings;
-use super::*;
+use super::{page::in_words, results::PART, sections::warnings, *};
 use crate::plot::chart::{Series, Style, bounds};
 use crate::plot::load_travel;
 use crate::solver::solution::StepRecord;
@@ -14,13 +11,8 @@ const WARNINGS: usize = 2;
 /// Pictures of the part: the first that there is.
 const PARTS: [&str; 3] = [PART, "shapes.png", "springback.png"];
 
-pub(super) struct FrontPicture {
-    /// Counted from 0.
-    pub stage: usize,
-    pub file: &'static str,
-    chart: Chart,
-    caption: String,
-}
+/// Stage, counted from 0, with file, chart and caption.
+pub(super) type FrontPicture = (usize, &'static str, Chart, String);
 
 pub(super) fn content(report: &Report) -> Markup {
     let answer = &report.answer;
@@ -46,7 +38,7 @@ pub(super) fn content(report: &Report) -> Markup {
                 }
             }
         }
-        div.pictures { @for picture in pictures(report) { (figure_in_column(picture.chart, &picture.caption)) } }
+        div.pictures { @for (_, _, chart, caption) in pictures(report) { (figure_in_column(chart, &caption)) } }
     }
 }
 
@@ -78,7 +70,7 @@ fn picture(report: &Report, stage: usize, file: &'static str, mut chart: Chart, 
     // The verdict above says how the stage ended.
     let notes = report.stages[stage].0.notes();
     chart.notes.retain(|note| !notes.contains(note));
-    FrontPicture { stage, file, chart, caption: report.stage(stage) + about }
+    (stage, file, chart, report.stage(stage) + about)
 }
 
 /// Forces of a stage, and the punch forces of the other stages over their own travel; or its gas pressure.

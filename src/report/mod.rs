@@ -14,8 +14,7 @@ mod sizes;
 pub use sizes::dimensions;
 
 use crate::assess::check::{self, Check};
-use crate::assess::error_bars::ErrorBars;
-use crate::assess::{self, Answer, Finding, Kind, Light, first_clause, judgements, tears_at};
+use crate::assess::{self, Answer, Finding, Kind, Light, error_bars::ErrorBars, first_clause, judgements, tears_at};
 use crate::case::{Solution, TitleBlock};
 use crate::model::{Model, Role, Tool, tool_sizes::extent};
 use crate::plot::{Captions, Chart, Dimension, StageView, axis::capitalised, dimensioned};

@@ -8,7 +8,7 @@ pub(super) const PART: &str = "part.png";
 const TORN: &str = "the part coloured by thinning, its thinnest place and where it tears";
 
 pub(super) fn sections(report: &Report) -> Vec<Section> {
-    let on_front: Vec<(usize, &str)> = front::pictures(report).map(|picture| (picture.stage, picture.file)).collect();
+    let on_front: Vec<(usize, &str)> = front::pictures(report).map(|(stage, file, ..)| (stage, file)).collect();
     let section = |(i, (view, summary)): (usize, &(StageView, Summary))| {
         let files = OUTPUTS.iter().map(|output| output.file).filter(|file| !on_front.contains(&(i, *file)));
         let content = html! {

@@ -1,7 +1,6 @@
 //! Sections without pictures: verdict, error bars, inputs, assumptions, warnings, solver, case.
 
-use super::results::figures;
-use super::*;
+use super::{results::figures, *};
 use crate::assess::check::Line;
 use crate::assess::error_bars::{Number, Origin};
 use crate::case::files::sha256;
@@ -76,7 +75,7 @@ pub(super) fn solver(report: &Report) -> Section {
 
 fn case(report: &Report) -> Markup {
     let case = &report.solution.case;
-    let stages = case.stage_names().collect::<Vec<_>>().join(", ");
+    let stages = joined(case.stages.iter().map(|stage| stage.name.as_str()), ", ");
     let ended = match report.solution.stages.last() {
         Some(_) if report.solution.is_complete() => "complete".to_owned(),
         Some(last) => format!("stopped early: {}", last.stop),

@@ -2,8 +2,7 @@
 
 use super::*;
 use crate::geometry::{Arc, Piece, Point};
-use crate::model::Motion;
-use crate::model::tool_sizes::throat;
+use crate::model::{Motion, tool_sizes::throat};
 use crate::table::worded;
 
 /// Roundings of one tool that are given; of a curve of more arcs the smallest radius is.
@@ -92,10 +91,8 @@ fn roundings(tool: &Tool, moved: Point) -> Vec<Dimension> {
     }
     let radius = |(of, alike, arc): (String, usize, Arc)| {
         let (amount, at) = (Amount::drawn(arc.radius), arc.at(0.5) + moved);
-        let (times, sign) = match alike {
-            1 => (String::new(), String::new()),
-            n => (format!(", {n} times"), format!("{n} × ")),
-        };
+        let several = (alike > 1).then(|| (format!(", {alike} times"), format!("{alike} × ")));
+        let (times, sign) = several.unwrap_or_default();
         Dimension { name: format!("{of} radius{times}"), text: format!("{of} {sign}R {amount}"), amount, at }
     };
     found.into_iter().map(radius).collect()

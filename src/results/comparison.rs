@@ -23,17 +23,15 @@ const NOTHING: f64 = 1e-9;
 #[error("{0}")]
 pub struct CompareError(String);
 
-/// Agreement of a run with a reference.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Verdict {
-    /// Everything lies within the tolerance or the band.
-    In,
-    /// Something lies outside.
-    Out,
-    /// The run ended too early; what it reached lies within the tolerance.
-    NotReached,
-    /// The reference file is optional and missing.
-    NoData,
+named! {
+    /// Agreement of a run with a reference.
+    pub enum Verdict;
+    /// Name in text.
+    fn word;
+    In: "in", "Everything lies within the tolerance or the band.";
+    Out: "OUT", "Something lies outside.";
+    NotReached: "not reached", "The run ended too early; what it reached lies within the tolerance.";
+    NoData: "no data", "The reference file is optional and missing.";
 }
 
 /// Reference value and its computed counterpart, in solver units.

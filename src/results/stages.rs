@@ -23,7 +23,8 @@ pub(super) fn folders(list: &str) -> Vec<String> {
 /// Names of all stages, how they ended, and the solutions of those that were run; none of a case with one stage.
 fn lines(solution: &Solution) -> Vec<(&str, &str, Option<&StageSolution>)> {
     let stages = solution.stages.iter().map(Some).chain(std::iter::repeat(None));
-    let lines = solution.case.stage_names().zip(stages).map(|(name, s)| (name, s.map_or("not run", stop_text), s));
+    let names = solution.case.stages.iter().map(|stage| stage.name.as_str());
+    let lines = names.zip(stages).map(|(name, s)| (name, s.map_or("not run", stop_text), s));
     let lines: Vec<_> = lines.collect();
     if lines.len() > 1 { lines } else { Vec::new() }
 }

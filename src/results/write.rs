@@ -117,29 +117,7 @@ impl<'a> Results<'a> {
         self.views.iter_mut().for_each(|view| view.pictures = pictures.clone());
         self
     }
-}
 
-/// Verdict as JSON: light, sentence, key numbers, findings, and the error bars' origin.
-pub fn verdict(answer: &Answer, findings: &[Finding], bars: Option<&ErrorBars>) -> Value {
-    let mut value = json!(answer);
-    value["findings"] = judgements(findings).map(|finding| json!(finding)).collect();
-    if let Some(bars) = bars {
-        value["error_bars"] = json!(bars);
-    }
-    value
-}
-
-impl Solution {
-    /// Writes every table and plot of [`OUTPUTS`] into `dir` in the place of earlier results; several stages have a folder
-    /// each. Returns the paths; after a failure the earlier results stay.
-    pub fn write(&self, dir: impl AsRef<Path>) -> Result<Vec<PathBuf>, OutputError> {
-        let (answer, findings) = answered(self, None);
-        let folder = result_folder(&self.case, dir.as_ref())?;
-        Ok(Results::of(self)?.answered(&answer, &findings).write(&FrameRecorder::default(), None, folder)?)
-    }
-}
-
-impl Results<'_> {
     /// Writes every output, with those of the recorder and a report by its name, and commits the folder.
     pub fn write(
         &self, recorder: &FrameRecorder, report: Option<(&str, String)>, mut folder: ResultFolder,
@@ -169,5 +147,25 @@ impl Results<'_> {
     pub fn write_comparisons(&self, mut folder: ResultFolder) -> Result<Vec<PathBuf>, WriteError> {
         comparison::files(self).iter().try_for_each(|(name, bytes)| folder.write(name, bytes))?;
         folder.commit()
+    }
+}
+
+/// Verdict as JSON: light, sentence, key numbers, findings, and the error bars' origin.
+pub fn verdict(answer: &Answer, findings: &[Finding], bars: Option<&ErrorBars>) -> Value {
+    let mut value = json!(answer);
+    value["findings"] = judgements(findings).map(|finding| json!(finding)).collect();
+    if let Some(bars) = bars {
+        value["error_bars"] = json!(bars);
+    }
+    value
+}
+
+impl Solution {
+    /// Writes every table and plot of [`OUTPUTS`] into `dir` in the place of earlier results; several stages have a folder
+    /// each. Returns the paths; after a failure the earlier results stay.
+    pub fn write(&self, dir: impl AsRef<Path>) -> Result<Vec<PathBuf>, OutputError> {
+        let (answer, findings) = answered(self, None);
+        let folder = result_folder(&self.case, dir.as_ref())?;
+        Ok(Results::of(self)?.answered(&answer, &findings).write(&FrameRecorder::default(), None, folder)?)
     }
 }

@@ -1,10 +1,8 @@
 //! Advice: changes of one size, each solved before it is given.
 
-use super::*;
-use super::{variable::split_number, verdict::is_known};
+use super::{variable::split_number, verdict::is_known, *};
 use crate::assess::advice::{self, Tried, is_open};
 use crate::assess::{Finding, error_bars::ErrorBars, error_bars::answered, judgements};
-use crate::case::{self};
 use crate::solver::solution::StageSolution;
 use rayon::prelude::*;
 

@@ -1,13 +1,11 @@
 //! Charts of studies: numbers over a variable, process windows, tornado, search trials, histograms.
 
-use super::run::response_key;
-use super::*;
+use super::{run::response_key, *};
 use crate::plot::Axis;
 use crate::plot::chart::{Annotation, AnnotationKind, Color, Panel, Scale, Series, Style, bounds};
 use crate::plot::palette::{BLACK, GREY, color, pale};
 use crate::units::Sense;
 use contour::ContourBuilder;
-use std::collections::BTreeSet;
 
 const FIRST: &str = "tearing_judged thinning_judged punch_force pressure draw_in wrinkling_judged part_height \
                      holder_force forming_limit_judged ring_opening springback_judged thickest energy_judged";
@@ -39,7 +37,7 @@ pub(super) fn chart(name: &str, title: &str, mut panels: Vec<Panel>) -> Charts {
 }
 
 pub(super) fn sweep(sweep: &Sweep, runs: &RunTable) -> Charts {
-    let wide: Vec<usize> = (0..sweep.axes.len()).filter(|i| sweep.axes[*i].count() > 1).collect();
+    let wide: Vec<usize> = (0..sweep.axes.len()).filter(|i| sweep.axes[*i].positions.len() > 1).collect();
     let panels = match wide[..] {
         [x] => {
             let (axis, limits) = (&sweep.axes[x], |place: usize| runs.responses[place].quantity.limits);

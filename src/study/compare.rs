@@ -1,8 +1,7 @@
 //! Several runs and measured curves side by side: numbers, differences beyond their error bars, and pictures.
 
-use super::run::Silent;
 use super::verify::{Outcome, verify};
-use super::*;
+use super::{run::Silent, *};
 use crate::assess::{self, FailureMode, error_bars::ErrorBars};
 use crate::case::comparison::{ComparedQuantity, Spec};
 use crate::plot::chart::{Panel, Series, Style};
@@ -129,9 +128,9 @@ impl SideBySide {
     /// Every number of every run with its difference from the first, and the misfit of every curve.
     pub fn table(&self) -> ReportTable {
         let columns = ["Quantity", "Run", "Value", "Difference", "Beyond the error"];
-        let mut table = ReportTable::new("differences", &columns);
+        let mut rows = Vec::new();
         let mut add = |label: &str, member: &Member, value: Cell, change: Cell, beyond: &str| {
-            table.rows.push(vec![label.into(), member.mark.clone().into(), value, change, beyond.into()]);
+            rows.push([label.into(), member.mark.clone().into(), value, change, beyond.into()]);
         };
         self.members.iter().for_each(|member| add("Verdict", member, member.light.clone(), "".into(), ""));
         self.members.iter().for_each(|member| add("End", member, member.end.as_str().into(), "".into(), ""));
@@ -157,7 +156,7 @@ impl SideBySide {
                 add(&format!("Misfit of curve {}, r.m.s.", i + 1), member, misfit.0.into(), misfit.1.into(), "");
             }
         }
-        table
+        ReportTable::new("differences", &columns, rows)
     }
 
     /// Remark on the [`overview`](Self::overview).
@@ -167,20 +166,19 @@ impl SideBySide {
     /// A row for every quantity, a column for every run: its value, and the difference where it is none of the error bars.
     pub fn overview(&self) -> ReportTable {
         let marks = self.members.iter().map(|member| member.mark.as_str());
-        let mut overview = ReportTable::new("overview", &["Quantity"].into_iter().chain(marks).collect::<Vec<_>>());
-        for cells in self.table().rows {
-            let [quantity, mark, value, difference, beyond] = [0, 1, 2, 3, 4].map(|i| cells[i].to_string());
-            if overview.rows.last().is_none_or(|row: &Vec<Cell>| row[0].to_string() != quantity) {
-                overview.rows.push([vec![quantity.into()], vec!["–".into(); self.members.len()]].concat());
-            }
-            let column = overview.columns.iter().position(|column| *column == mark);
+        let shown = |cells: &[Cell]| {
+            let [value, difference, beyond] = [2, 3, 4].map(|i| cells[i].to_string());
             let is_zero = matches!(&cells[3], Cell::Amount(by) if by.with_value(0.0).to_string() == difference);
-            let is_shown = !is_zero && !difference.is_empty() && beyond != "no";
-            if let (Some(column), Some(row)) = (column, overview.rows.last_mut()) {
-                row[column] = if is_shown { format!("{value} ({difference})").into() } else { value.into() };
-            }
-        }
-        overview
+            if !is_zero && !difference.is_empty() && beyond != "no" { format!("{value} ({difference})") } else { value }
+        };
+        let rows = self.table().rows;
+        let rows = rows.chunk_by(|a, b| a[0].to_string() == b[0].to_string()).map(|of_quantity| {
+            let own = |member: &Member| of_quantity.iter().rfind(|cells| cells[1].to_string() == member.mark);
+            let values =
+                self.members.iter().map(|member| own(member).map_or("–".into(), |cells| shown(cells).into()));
+            [of_quantity[0][0].clone()].into_iter().chain(values).collect::<Vec<_>>()
+        });
+        ReportTable::new("overview", &["Quantity"].into_iter().chain(marks).collect::<Vec<_>>(), rows)
     }
 
     /// Numbers of all runs; of those that only the verdict has the ones that decide whether it tears.

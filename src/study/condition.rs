@@ -12,7 +12,6 @@
 //! Runs in which the sheet tears never satisfy a condition on a quantity.
 
 use super::*;
-use crate::units::did_you_mean;
 
 /// A condition on a run, or the target of a search.
 #[derive(Clone, Debug)]

@@ -27,10 +27,7 @@ impl StudyError {
     }
 
     pub(super) fn within(self, place: impl std::fmt::Display) -> Self {
-        match self {
-            Self::Request { what, help } => Self::new(format!("{place}{what}"), help),
-            of_case @ Self::Case(_) => of_case,
-        }
+        if let Self::Request { what, help } = self { Self::new(format!("{place}{what}"), help) } else { self }
     }
 }
 

@@ -2,7 +2,6 @@
 
 use super::*;
 use crate::case::comparison::{ComparedQuantity, Spec};
-use crate::case::files::{self};
 use crate::results::comparison::Computed;
 use crate::table::{Csv, CsvError};
 
@@ -21,12 +20,14 @@ const EXAMPLE: &str = "a curve has columns such as travel_mm,punch_force_kN or s
 
 /// Reads a measured curve, whose columns name its quantity.
 pub fn measured_curve(path: &Path) -> Result<Spec> {
-    let mut csv = read_csv(path, EXAMPLE)?;
+    let name = path.display().to_string();
+    let text = Disk.text(path, files::CSV).map_err(|error| unreadable(&name, &error))?;
+    let mut csv = Csv::read(&text, "the file", EXAMPLE).map_err(|error| csv_error(&name, error))?;
     let is = |name: &str, any: &[&str]| has_word(name, any) && !has_word(name, &OTHER) && !has_word(name, &SCATTER);
     let find = |any: &[&str]| csv.header.fields.iter().find(|name| is(name, any)).map(str::to_owned);
     let curve = RULES.iter().find_map(|(quantity, x, y)| Some((*quantity, vec![find(x)?, find(y)?])));
     let Some((quantity, columns)) = curve else {
-        return fail(format!("{} is no curve of a run; it has {}", path.display(), csv.names()), EXAMPLE);
+        return fail(format!("{name} is no curve of a run; it has {}", csv.names()), EXAMPLE);
     };
     // Only the last frame of a table of thickness with one frame after another.
     if let (Some(travel), Some(_)) = (csv.column("travel_mm"), csv.column("s0_mm")) {
@@ -47,12 +48,6 @@ pub(super) fn deviations(curve: &Spec, computed: &Computed) -> Option<Vec<f64>> 
     let sizes = computed.points(&Spec { columns, ..curve.clone() }).ok()?.into_iter().map(|point| point.reference);
     let sizes: Vec<f64> = sizes.filter(|size| *size > 0.0).collect();
     (sizes.len() == computed.points(curve).ok()?.len()).then_some(sizes)
-}
-
-pub(super) fn read_csv(path: &Path, example: &str) -> Result<Csv> {
-    let name = path.display().to_string();
-    let text = Disk.text(path, files::CSV).map_err(|error| unreadable(&name, &error))?;
-    Csv::read(&text, "the file", example).map_err(|error| csv_error(&name, error))
 }
 
 pub(super) fn csv_error(name: &str, error: CsvError) -> StudyError {

@@ -1,8 +1,6 @@
 //! Results of a study: a headline, notes, tables and charts, for every kind of study.
 
 use super::*;
-use crate::results::csv::records;
-use crate::units::rounded;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
 /// Results of a study.
@@ -47,10 +45,10 @@ pub enum Cell {
 }
 
 impl ReportTable {
-    /// A table without rows.
-    pub fn new(name: &'static str, columns: &[&str]) -> Self {
+    /// A table of rows.
+    pub fn new<R: Into<Vec<Cell>>>(name: &'static str, columns: &[&str], rows: impl IntoIterator<Item = R>) -> Self {
         let columns = columns.iter().map(|column| (*column).to_owned()).collect();
-        Self { name, columns, rows: Vec::new(), printed: None }
+        Self { name, columns, rows: rows.into_iter().map(Into::into).collect(), printed: None }
     }
 
     /// Formats CSV; the unit of a number stands in a column behind it.

@@ -1,9 +1,6 @@
 //! One evaluation: a design and the responses of its run.
 
-use super::verify::Outcome;
-use super::*;
-use crate::assess::{self};
-use crate::units::rounded;
+use super::{verify::Outcome, *};
 
 /// A point of a study: values of its variables and the overrides that set them.
 #[derive(Clone, Debug, PartialEq)]

@@ -4,16 +4,12 @@
 //! study,designs,index,inputs_sha256, variables ..., responses ..., verdict,fails,red,amber,end,reason,version
 //! ```
 
-use super::run::column;
-use super::*;
-use crate::results::csv::records;
-use crate::units::did_you_mean;
+use super::{run::column, *};
 
 pub(super) const BEGINNING: &str = "study,designs,index,";
 const FIRST: [&str; 4] = ["study", "designs", "index", "inputs_sha256"];
 const LAST: [&str; 7] = ["verdict", "fails", "red", "amber", "end", "reason", "version"];
 const VERSION: &str = env!("CARGO_PKG_VERSION");
-const LIGHTS: [Light; 4] = [Light::Grey, Light::Green, Light::Amber, Light::Red];
 
 /// Evaluations of a study.
 #[derive(Clone, Debug, PartialEq)]
@@ -73,7 +69,11 @@ impl RunTable {
     /// Number of runs with each light, and of those that were not run.
     pub fn lights(&self) -> BTreeMap<&'static str, usize> {
         let count = |light: Option<Light>| self.runs.iter().filter(|run| run.light == light).count();
-        LIGHTS.map(|light| (light.name(), count(Some(light)))).into_iter().chain([("not_run", count(None))]).collect()
+        Light::ALL
+            .map(|light| (light.name(), count(Some(light))))
+            .into_iter()
+            .chain([("not_run", count(None))])
+            .collect()
     }
 
     /// First line of the CSV.
@@ -103,13 +103,14 @@ impl RunTable {
         let (numbers, rest) = rest.split_at_checked(self.responses.len())?;
         let [light, failures, red, amber, end, reason, VERSION] = rest else { return None };
         let words = |text: &str| text.split_whitespace().map(str::to_owned).collect();
+        let modes = FailureMode::ALL.into_iter().filter(|mode| failures.split(' ').any(|key| key == mode.key()));
         Some(Run {
             index: index.parse().ok()?,
             values: values.iter().map(|value| (*value).to_owned()).collect(),
             inputs: (*inputs).to_owned(),
             numbers: numbers.iter().map(|text| text.parse().unwrap_or(f64::NAN)).collect(),
-            light: LIGHTS.into_iter().find(|own| own.name() == *light),
-            failures: failures.split_whitespace().filter_map(FailureMode::from_key).collect(),
+            light: Light::ALL.into_iter().find(|own| own.name() == *light),
+            failures: modes.collect(),
             red: words(red),
             amber: words(amber),
             end: (*end).to_owned(),

@@ -2,8 +2,7 @@
 //!
 //! The sample is a scrambled Sobol sequence. Wilson's intervals take its points as independent, which is on the safe side.
 
-use super::*;
-use super::{uncertain_variable::UncertainVariable, variable::check_distinct};
+use super::{uncertain_variable::UncertainVariable, variable::check_distinct, *};
 use crate::numerics::statistics::{rank_correlation, wilson};
 use sobol_burley::sample;
 
@@ -73,11 +72,10 @@ impl Scatter {
         ensure(variables.len() <= VARIABLES, format!("{} keys scatter", variables.len()), "128 at most")?;
         check_distinct(variables.iter().map(|uncertain| &uncertain.variable), "is given twice", "leave one out")?;
         ensure((8..=MOST).contains(&runs), format!("{runs} runs"), "give 8 to 4294967296, best a power of two")?;
-        for variable in &variables {
-            base.check_any([0.5, 0.001, 0.999].map(|u| variable.settings(&variable.value(u))))?;
-        }
+        let at = |variable: &UncertainVariable, share: f64| variable.settings(&variable.value(share));
+        variables.iter().try_for_each(|one| base.check_any([0.5, 0.001, 0.999].map(|share| at(one, share))))?;
         let absolute = variables.iter().filter(|variable| variable.is_absolute);
-        let settings: Vec<String> = absolute.flat_map(|variable| variable.settings(&variable.value(0.5))).collect();
+        let settings: Vec<String> = absolute.flat_map(|variable| at(variable, 0.5)).collect();
         base.check_effective(&settings)?;
         let columns = variables.iter().map(|uncertain| uncertain.variable.header()).collect();
         Ok(Self { plan: Plan::new(base, &format!("{variables:?}{runs}{seed}"), columns, runs), variables, seed })
@@ -122,22 +120,21 @@ impl Scatter {
 
     fn tables(&self, runs: &RunTable, events: &[Event], spreads: &[Spread]) -> Vec<ReportTable> {
         let columns = ["Light", "Row", "Share of parts", "from", "to", "Rank correlation"];
-        let mut lights = ReportTable::new("scatter_lights", &columns);
-        for event in events {
+        let lights = events.iter().map(|event| {
             let [value, low, high] = event.probability.map(|share| Amount::share(share).into());
             let (light, label) = (Cell::Light(event.light, String::new()), event.label.clone().into());
-            lights.rows.push(vec![light, label, value, low, high, self.influences(&event.correlations)]);
-        }
-        let mut numbers = ReportTable::new("scatter_numbers", &["Number", "5 %", "Median", "95 %", "Rank correlation"]);
-        for spread in spreads {
+            [light, label, value, low, high, self.influences(&event.correlations)]
+        });
+        let lights = ReportTable::new("scatter_lights", &columns, lights);
+        let numbers = spreads.iter().filter_map(|spread| {
             let number = &runs.responses[spread.response].quantity;
             let quantiles = QUANTILES.map(|share| quantile(&spread.values, share));
-            if quantiles[0] != quantiles[2] {
-                let [low, median, high] = quantiles.map(|value| number.amount.with_value(value).into());
-                numbers.rows.push(vec![number.label.into(), low, median, high, self.influences(&spread.correlations)]);
-            }
-        }
-        vec![lights, numbers]
+            let [low, median, high] = quantiles.map(|value| number.amount.with_value(value).into());
+            let row = [number.label.into(), low, median, high, self.influences(&spread.correlations)];
+            (quantiles[0] != quantiles[2]).then_some(row)
+        });
+        let columns = ["Number", "5 %", "Median", "95 %", "Rank correlation"];
+        vec![lights, ReportTable::new("scatter_numbers", &columns, numbers)]
     }
 }
 

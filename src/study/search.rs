@@ -1,10 +1,9 @@
 //! Searches: the last value of a variable at which a condition holds, or the value at which a quantity is as wanted.
 
 use super::bracket::{Search, Trial};
-use super::charts::Charts;
 use super::goals::{Goal, holder_setting};
 use super::variable::{SearchRange, check_distinct};
-use super::*;
+use super::{charts::Charts, *};
 use crate::assess::estimate;
 use crate::plot::{Axis, axis::capitalised};
 
@@ -198,9 +197,8 @@ impl LimitSearch {
         let case = |run: &Run| self.plan.base.case(&self.trial(0, run.value(0)).settings).ok();
         let draw_ratio = |run: &Run| estimate::draw_ratio(case(run)?.model());
         let ratios = best.zip(other).and_then(|(best, other)| draw_ratio(best).zip(draw_ratio(other)));
-        if let Some((best, other)) = ratios.filter(|(best, other)| best != other) {
-            notes.push(format!("Draw ratio {best:.3}, beyond it {other:.3}."));
-        }
+        let ratios = ratios.filter(|(best, other)| best != other);
+        notes.extend(ratios.map(|(best, other)| format!("Draw ratio {best:.3}, beyond it {other:.3}.")));
         notes.extend(self.goal.holder.zip(best).map(|(rule, best)| {
             let force = Amount::force(rule.force(best.value(0)), Unit::N);
             format!("The holder's force follows Siebel's rule as the blank grows: {force} there.")

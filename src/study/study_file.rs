@@ -13,8 +13,7 @@
 //! friction = [0.04, 0.08, 0.12]
 //! ```
 
-use super::base_case::read_text;
-use super::*;
+use super::{base_case::read_text, *};
 use serde::Deserialize;
 use toml::{Table, Value};
 
@@ -68,11 +67,8 @@ impl StudyFile {
         let mut file: Self = toml::from_str(text).map_err(wrong)?;
         let beside = |other: &PathBuf| path.parent().unwrap_or(Path::new("")).join(other);
         file.case = beside(&file.case);
-        let curves = match file.to.take() {
-            Some(Value::Array(all)) => all,
-            curve => curve.into_iter().collect(),
-        };
-        file.curves = curves.iter().map(|path| beside(&plain(path).into())).collect();
+        let paths = |to: &Value| if let Value::Array(all) = to { all.clone() } else { vec![to.clone()] };
+        file.curves = file.to.iter().flat_map(paths).map(|path| beside(&plain(&path).into())).collect();
         let help = "`case` is the path of a case file, relative to the study file";
         ensure(file.case.exists(), format!("there is no file {}", file.case.display()), help)?;
         file.variables = pairs(&file.vary, "")?;

@@ -49,10 +49,6 @@ impl Axis {
         let label = |value: &String| number(value).map_or_else(|| value.clone(), |number| variable.display(number));
         Ok(Self { labels: values.iter().map(label).collect(), variable, values, drawn, positions, own })
     }
-
-    pub fn count(&self) -> usize {
-        self.positions.len()
-    }
 }
 
 impl Sweep {
@@ -68,7 +64,7 @@ impl Sweep {
         ensure(!axes.is_empty(), "nothing of the case is varied", "give --vary KEY=VALUES, as often as needed")?;
         let variables = || axes.iter().map(|axis| &axis.variable);
         check_distinct(variables(), "is varied twice", "give all its values at once")?;
-        let mut counts = axes.iter().map(|axis| axis.count() as u64);
+        let mut counts = axes.iter().map(|axis| axis.positions.len() as u64);
         let (what, help) = ("more designs than can be counted", "fewer values, or `scatter` for a sample");
         let designs = match one_at_a_time {
             true => 1 + counts.sum::<u64>(),
@@ -89,11 +85,11 @@ impl Sweep {
         for (place, axis) in places.iter_mut().zip(&self.axes).rev() {
             if self.one_at_a_time {
                 // The first design is the case as it stands.
-                stride -= axis.count();
-                *place = index.checked_sub(stride).filter(|i| *i < axis.count());
+                stride -= axis.positions.len();
+                *place = index.checked_sub(stride).filter(|i| *i < axis.positions.len());
             } else {
-                *place = Some(index / stride % axis.count());
-                stride *= axis.count();
+                *place = Some(index / stride % axis.positions.len());
+                stride *= axis.positions.len();
             }
         }
         places
@@ -140,17 +136,17 @@ impl Sweep {
 
     fn sensitivity_table(&self, runs: &RunTable) -> ReportTable {
         let columns = ["Number", "Key", "As it stands", "Least", "at", "Largest", "at value"];
-        let mut table = ReportTable::new("sensitivities", &columns);
+        let mut rows = Vec::new();
         for response in charts::decisive(runs, 4) {
             let number = &runs.responses[response].quantity;
             for s in self.sensitivities(runs, response) {
                 let (axis, amount) = (&self.axes[s.axis], |value| Cell::from(number.amount.with_value(value)));
                 let mut row = vec![number.label.into(), axis.drawn.label.clone().into(), amount(s.own)];
                 row.extend(s.extremes.iter().flat_map(|e| [amount(e.number), axis.labels[e.place].clone().into()]));
-                table.rows.push(row);
+                rows.push(row);
             }
         }
-        table
+        ReportTable::new("sensitivities", &columns, rows)
     }
 }
 

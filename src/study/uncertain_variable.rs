@@ -45,10 +45,8 @@ impl UncertainVariable {
         let coil = "give one end with --coil, or scatter the strength: \"strength=uniform ± 8 %\"";
         ensure(!is_coil, "a coil is strong or weak, and no number that scatters", coil)?;
         let (key, distribution) = split_pair(text).ok_or_else(wrong)?;
-        let (distribution, source) = match distribution.trim() {
-            TOLERANCE if key == THICKNESS => tolerance(case)?,
-            _ => (distribution.to_owned(), None),
-        };
+        let is_tolerance = key == THICKNESS && distribution.trim() == TOLERANCE;
+        let (distribution, source) = if is_tolerance { tolerance(case)? } else { (distribution.to_owned(), None) };
         let mut is_absolute = true;
         let own = || {
             is_absolute = false;

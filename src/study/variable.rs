@@ -11,7 +11,6 @@
 use super::*;
 use crate::plot::Spacing;
 use crate::units::{Digits, DisplaySettings};
-use std::collections::BTreeSet;
 
 const COUNT: std::ops::RangeInclusive<usize> = 2..=1_000_000;
 

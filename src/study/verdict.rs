@@ -1,7 +1,6 @@
 //! Verdict for the user of one case: findings, what hangs on friction and hardening, and advice that was tried.
 
-use super::advice::advise;
-use super::*;
+use super::{advice::advise, *};
 use crate::assess::error_bars::{ErrorBars, weighed};
 use crate::assess::{Answer, Finding, after, sensitivity};
 use rayon::prelude::*;

@@ -75,7 +75,7 @@ impl Case {
 
     #[getter]
     fn stages(&self) -> Vec<String> {
-        self.case.stage_names().map(str::to_owned).collect()
+        self.case.stages.iter().map(|stage| stage.name.clone()).collect()
     }
 
     /// Findings before a run, as JSON.

@@ -2,8 +2,7 @@
 
 mod stages;
 
-use super::sizes::Draw;
-use super::*;
+use super::{sizes::Draw, *};
 use crate::assess::{self, FailureMode};
 use crate::case::parse;
 use crate::part::Part;

@@ -1,7 +1,6 @@
 //! Cups with a flange left: hemispherical, or conical.
 
-use super::sizes::Draw;
-use super::*;
+use super::{sizes::Draw, *};
 use rules::LIMITING_RATIO;
 use std::f64::consts::FRAC_PI_2;
 

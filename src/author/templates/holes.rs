@@ -1,7 +1,6 @@
 //! Sheets with a hole: the hole expansion test, and the collar.
 
-use super::strips::corrected;
-use super::*;
+use super::{strips::corrected, *};
 use crate::measure::part_height;
 
 /// Half of the included angle of conical punches, 60° (ISO 16630, not read) \[rad\].

@@ -1,7 +1,6 @@
 //! Tubes: an end expanded, flared or nosed by a cone or turned inside out, and a middle bulged by oil under feed.
 
-use super::holes::cone;
-use super::*;
+use super::{holes::cone, *};
 use crate::units::Amount;
 
 /// Radius outside \[mm\] and values of the case but for its tools; `share` of the length is solved, with elements for a radius.

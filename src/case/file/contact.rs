@@ -1,8 +1,7 @@
 //! Contact with the tools: the holder's force, draw beads, and `friction` of a tool or of its side of the sheet.
 
 use super::tools::{Holder, Pad, ToolKeys};
-use super::*;
-use super::{material::only, values::Stiffness};
+use super::{material::only, values::Stiffness, *};
 use crate::bead;
 use crate::contact::friction::FrictionTable;
 use crate::material::law::Family;

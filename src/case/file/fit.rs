@@ -1,7 +1,6 @@
 //! Checks that blank and tools fit together and do not collide.
 
-use super::drive::travel_key;
-use super::*;
+use super::{drive::travel_key, *};
 use crate::model::tool_sizes::{extent, gap, room, throat, widens};
 
 /// Rounding error of sums of decimals \[–\].

@@ -56,9 +56,8 @@ impl FormingLimit {
     /// Curve that the case gives; `None` if it wants none.
     pub fn curve(&self, material: &Material, t: f64, heat: Option<&Heat>, source: &Source) -> Result<Option<Curve>> {
         let n = self.n.map(Dimensioned::value);
-        if let Some(groove) = &self.marciniak_kuczynski {
-            groove.check().map_err(|error| blame(error, "forming_limit.marciniak_kuczynski", source))?;
-        }
+        let checked = self.marciniak_kuczynski.iter().try_for_each(MarciniakKuczynski::check);
+        checked.map_err(|error| blame(error, "forming_limit.marciniak_kuczynski", source))?;
         // Points of the library stand among `points` by now.
         let what = "`measured` takes the points of a sheet of the library, and this case names none that has some";
         let help = "write points of the coil, or hill = true; `stampflow materials NAME` says which sheets have measured limits";

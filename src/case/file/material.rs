@@ -168,9 +168,7 @@ impl Material {
         let help = "add a criterion, such as [material.fracture.cockcroft_latham], or drop it";
         source.require(!alone, "material.fracture_source", "`fracture_source` stands without `fracture`", help)?;
         let mut gtn = self.voids;
-        if let Some(gtn) = &mut gtn {
-            gtn.prepare().map_err(|error| blame(error, "material.voids", source))?;
-        }
+        gtn.iter_mut().try_for_each(Gtn::prepare).map_err(|error| blame(error, "material.voids", source))?;
         let (fitted_up_to, chaboche) = (self.fitted_up_to.map(Dimensioned::value), self.back_stresses(source)?);
         let own = material::Material { fitted_up_to, elastic, rate, thermal, ..material::Material::plain(hardening) };
         Ok(material::Material { yield_criterion, chaboche, gtn, fracture, ..own })

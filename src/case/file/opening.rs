@@ -19,10 +19,9 @@ impl ToolContext<'_> {
         let why = "is where a cone or a tractrix begins, and neither is given";
         source.refuse("tools.die", alone, why, "add cone = \"30 deg\" or tractrix = true")?;
         let lengths = [die.mouth, die.mouth_diameter, die.mouth];
-        let mouth = match lengths.iter().flatten().next() {
-            None => length,
-            Some(_) => self.radius("tools.die", ["mouth", "mouth_diameter", "mouth"], lengths)?,
-        };
+        let keys = ["mouth", "mouth_diameter", "mouth"];
+        let is_given = lengths.iter().any(Option::is_some);
+        let mouth = if is_given { self.radius("tools.die", keys, lengths)? } else { length };
         let cone = die.cone.map(|angle| Entry::Cone { angle: angle.value(), mouth });
         let entry = if has_entry { cone.unwrap_or(Entry::Tractrix { mouth }) } else { Entry::Shoulder };
         let opening = Opening { throat, shoulder, entry, land };

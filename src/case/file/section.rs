@@ -1,7 +1,6 @@
 //! `profile`: section of a tool, drawn in steps, read from a file or made from another tool; then placed.
 
-use super::*;
-use super::{counter::Counter, points::Points};
+use super::{counter::Counter, points::Points, *};
 use crate::geometry::{Arc, Fold, with_radius};
 use crate::model::tool_sizes::met;
 

@@ -155,12 +155,9 @@ fn from_file(name: &str, source: &Source) -> Result<PiecewiseLinear> {
         let place = Length::checked(place, &place.to_string()).map_err(|error| fail(&error.to_string()))?.value();
         let celsius = lines.number(row, temperature)?.ok_or_else(|| fail("the temperature is missing"))?;
         let kelvin = celsius + ZERO_CELSIUS;
-        if !SHEET.contains(&kelvin) {
-            return Err(fail(&format!("the sheet cannot be at {celsius} °C")));
-        }
-        if points.last().is_some_and(|last| place <= last.0) {
-            return Err(fail("s0 must rise from row to row"));
-        }
+        let check = |holds: bool, what: &str| if holds { Ok(()) } else { Err(fail(what)) };
+        check(SHEET.contains(&kelvin), &format!("the sheet cannot be at {celsius} °C"))?;
+        check(points.last().is_none_or(|last| place > last.0), "s0 must rise from row to row")?;
         points.push((place, kelvin));
     }
     let empty = || lines.error(csv.header.line, "the temperature file has no rows", EXAMPLE);

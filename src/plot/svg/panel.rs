@@ -1,10 +1,9 @@
 //! One pair of axes: ranges, ticks, labels and series.
 
-use super::annotations::Flags;
 use super::shapes::{clipped, pen};
 use super::text::{LABEL, SPACING, TICK, clean, style, width};
 use super::ticks::{Ticked, label, tick_count, values};
-use super::*;
+use super::{annotations::Flags, *};
 use plotters::chart::{ChartBuilder, LabelAreaPosition};
 
 /// Most labels of the x axis, and the least width of each in a small panel.

@@ -1,7 +1,7 @@
 //! Comparisons in words, as tables and as pictures.
 
 use super::{Band, Comparison, Point, Verdict, four_digits};
-use crate::case::comparison::NAMES;
+use crate::case::comparison::ComparedQuantity;
 use crate::plot::chart::{Chart, Panel, Series, Style, bounds, thinned};
 use crate::plot::palette::{BLACK, GREY, color};
 use crate::plot::{Axis, StageView};
@@ -26,7 +26,7 @@ impl Comparison {
 
     /// Verdict in words: `in`, `OUT`, `OUT, demonstration`.
     pub fn outcome(&self) -> String {
-        let word = ["in", "OUT", "not reached", "no data"][self.verdict as usize];
+        let word = self.verdict.word();
         if self.spec.demonstration { format!("{word}, demonstration") } else { word.to_owned() }
     }
 
@@ -229,5 +229,7 @@ pub(in crate::results) fn files(results: &Results) -> Files {
 pub(in crate::results) fn is_comparison(name: &str) -> bool {
     let stem = name.strip_suffix(".csv").or(Format::stem(name));
     let parts = stem.and_then(|stem| stem.strip_prefix(PREFIX)).and_then(|rest| rest.split_once('_'));
-    parts.is_some_and(|(n, quantity)| n.parse::<usize>().is_ok() && NAMES.contains(&quantity))
+    parts.is_some_and(|(n, quantity)| {
+        n.parse::<usize>().is_ok() && ComparedQuantity::ALL.iter().any(|own| own.name() == quantity)
+    })
 }

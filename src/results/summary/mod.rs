@@ -58,10 +58,7 @@ impl Summary {
     /// Label, value and unit of the lines of a group that have one value.
     pub fn figures(&self, group: Group) -> impl Iterator<Item = [String; 3]> {
         self.printed().filter(move |line| line.group == group).filter_map(|Line { label, value, .. }| {
-            let (value, unit) = match value {
-                Value::Number(amount) => amount.parts(),
-                value => (value.text()?, ""),
-            };
+            let (value, unit) = if let Value::Number(amount) = value { amount.parts() } else { (value.text()?, "") };
             Some([label.clone(), value, unit.to_owned()])
         })
     }

@@ -1,6 +1,6 @@
 //! Report of fitted laws: parameters, comparison by Akaike's criterion, chart, and `[material]` of a case.
 
-use super::law::{LawFit, LawFits, MEANS};
+use super::law::{Direction, LawFit, LawFits, MEANS};
 use super::{Estimate, table};
 use crate::plot::Axis;
 use crate::plot::chart::{Annotation, Chart, Panel, Series, Style, thinned};
@@ -36,17 +36,15 @@ impl LawFits {
             let (mean, ears) = (0.25 * (r0 + 2.0 * r45 + r90), 0.5 * (r0 - 2.0 * r45 + r90));
             notes.push(format!("r̄ = (r0 + 2 r45 + r90)/4 = {mean:.3}, Δr = (r0 − 2 r45 + r90)/2 = {ears:.3}."));
         }
-        let mut laws = ReportTable::new("laws", &["Law", "R.m.s.", "AIC"]);
-        for fit in &self.fits {
-            laws.rows.push(vec![fit.kind.label().into(), rms(fit.rms, 4).into(), trimmed(fit.aic, 1).into()]);
-        }
+        let law = |fit: &LawFit| [fit.kind.label().into(), rms(fit.rms, 4).into(), trimmed(fit.aic, 1).into()];
+        let laws = ReportTable::new("laws", &["Law", "R.m.s.", "AIC"], self.fits.iter().map(law));
         let estimates = self.fits.iter().flat_map(|fit| fit.estimates.iter().map(|e| (fit.kind.name(), e)));
-        let mut directions = ReportTable::new("directions", &["Direction", "Tests", "Stress ratio", "r", "Error of r"]);
-        for d in &self.directions {
+        let direction = |d: &Direction| {
             let [r, error] = [d.r.map(|r| r.0), d.r.map(|r| r.1)].map(|x| x.map_or("–".into(), |x| trimmed(x, 4)));
-            let row = [trimmed(d.angle, 1), d.tests.to_string(), trimmed(d.ratio, 4), r, error];
-            directions.rows.push(row.map(Cell::from).to_vec());
-        }
+            [trimmed(d.angle, 1), d.tests.to_string(), trimmed(d.ratio, 4), r, error].map(Cell::from)
+        };
+        let columns = ["Direction", "Tests", "Stress ratio", "r", "Error of r"];
+        let directions = ReportTable::new("directions", &columns, self.directions.iter().map(direction));
         let tables = [laws, table(estimates), directions].into_iter().filter(|table| !table.rows.is_empty());
         StudyReport {
             headline: format!("{} fits best ({} r.m.s.){clearly}.", best.kind.label(), rms(best.rms, 2)),

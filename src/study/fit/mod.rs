@@ -51,14 +51,12 @@ fn estimates<'a>(
 }
 
 fn table<'a>(all: impl Iterator<Item = (String, &'a Estimate)>) -> ReportTable {
-    let mut table = ReportTable::new("fit", &["Of", "Parameter", "Unit", "Value", "Standard error", "At bound"]);
-    for (owner, e) in all {
+    let row = |(owner, e): (String, &Estimate)| {
         let error = e.error.map_or_else(String::new, |error| significant(error, 2).to_string());
         let bound = if e.bound.is_some() { "yes" } else { "" };
-        let cells = [owner, e.key.clone(), e.unit.clone(), e.written(), error, bound.to_owned()];
-        table.rows.push(cells.map(Cell::from).to_vec());
-    }
-    table
+        [owner, e.key.clone(), e.unit.clone(), e.written(), error, bound.to_owned()].map(Cell::from)
+    };
+    ReportTable::new("fit", &["Of", "Parameter", "Unit", "Value", "Standard error", "At bound"], all.map(row))
 }
 
 impl Estimate {

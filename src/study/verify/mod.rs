@@ -76,9 +76,8 @@ pub fn verify(solution: &Solution, watch: &dyn Watch) -> Verification {
     let jobs: Vec<_> = all.filter(|&(direction, times)| counts(direction, times)).collect();
     let (case, done) = (&solution.case, AtomicUsize::new(0));
     let one = |&(direction, times): &(Direction, f64)| {
-        let outcome = direction
-            .refined(&case.stages, times)
-            .map(|stages| Outcome::of(&Case { stages, ..case.clone() }.solve(&mut &*watch), Some((direction, times))));
+        let solved = |case: Case| Outcome::of(&case.solve(&mut &*watch), Some((direction, times)));
+        let outcome = direction.refined(&case.stages, times).map(|stages| solved(Case { stages, ..case.clone() }));
         watch.ran(1 + done.fetch_add(1, Ordering::Relaxed), jobs.len());
         outcome
     };
@@ -87,13 +86,10 @@ pub fn verify(solution: &Solution, watch: &dyn Watch) -> Verification {
     if watch.wants_to_stop() {
         refined.clear();
     }
-    let mut directions: Vec<(Direction, Vec<&Outcome>)> = Vec::new();
-    for direction in Direction::ALL {
-        let mut runs = refined.iter().filter(|run| run.direction == Some(direction)).peekable();
-        if runs.peek().is_some() {
-            directions.push((direction, runs.filter(|run| run.end.is_like(&base.end)).collect()));
-        }
-    }
+    let runs = |direction| refined.iter().filter(move |run| run.direction == Some(direction));
+    let solved = Direction::ALL.into_iter().filter(|direction| runs(*direction).next().is_some());
+    let alike = |direction| (direction, runs(direction).filter(|run| run.end.is_like(&base.end)).collect());
+    let directions: Vec<(Direction, Vec<&Outcome>)> = solved.map(alike).collect();
     let otherwise = || refined.iter().filter(|run| !run.end.lost && !run.end.is_like(&base.end));
     let reason = if watch.wants_to_stop() {
         Some("interrupted by the user".to_owned())
