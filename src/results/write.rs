@@ -1,7 +1,7 @@
 //! Writing of all outputs of a solution, and protection of files of other origin.
 
 use super::comparison::Comparison;
-use super::{FrameRecorder, Make, OUTPUTS, Pictures, ResultFolder, StageView, WriteError, comparison, stages};
+use super::{FrameRecorder, Make, OUTPUTS, Output, Pictures, ResultFolder, StageView, WriteError, comparison, stages};
 use crate::assess::error_bars::{ErrorBars, answered};
 use crate::assess::{Answer, Finding, judgements};
 use crate::case::files::{Disk, Files};
@@ -122,11 +122,8 @@ impl<'a> Results<'a> {
     pub fn write(
         &self, recorder: &FrameRecorder, report: Option<(&str, String)>, mut folder: ResultFolder,
     ) -> Result<Vec<PathBuf>, WriteError> {
-        for output in OUTPUTS {
-            if let Make::OfCase(make) = output.make {
-                make(self).iter().try_for_each(|(name, bytes)| folder.write(name, bytes))?;
-            }
-        }
+        let of_case = |output: &Output| if let Make::OfCase(make) = output.make { make(self) } else { Vec::new() };
+        OUTPUTS.iter().flat_map(of_case).try_for_each(|(name, bytes)| folder.write(name, &bytes))?;
         for (i, view) in self.views.iter().enumerate() {
             let inside = PathBuf::from(self.solution.case.stage_label(i).unwrap_or_default());
             let frames = recorder.of_stage(i, view.stage);

@@ -181,12 +181,10 @@ impl Study for Sweep {
     }
 
     fn design(&self, index: u64) -> Design {
-        let (mut values, mut settings) = (Vec::new(), Vec::new());
-        for (axis, place) in self.axes.iter().zip(self.positions(index)) {
-            settings.extend(place.map(|i| axis.variable.setting(&axis.values[i])));
-            values.push(place.map_or_else(String::new, |i| axis.values[i].clone()));
-        }
-        Design { index, values, settings }
+        let places = self.positions(index);
+        let all = || self.axes.iter().zip(&places).map(|(axis, place)| (axis, place.map(|i| &axis.values[i])));
+        let settings = all().filter_map(|(axis, value)| Some(axis.variable.setting(value?))).collect();
+        Design { index, values: all().map(|(_, value)| value.cloned().unwrap_or_default()).collect(), settings }
     }
 
     fn report(&self, runs: &RunTable) -> StudyReport {

@@ -121,14 +121,12 @@ impl TableFile {
     /// Writes the table of a shard, and its curves beside it; removes the rows.
     pub fn finish(self, runs: &RunTable) -> Result<(), WriteError> {
         let curves = self.path.with_file_name("curves");
-        let keep = || {
-            for path in self.curve_files() {
-                fs::create_dir_all(&curves)?;
-                fs::rename(&path, curves.join(path.file_name().unwrap_or_default()))?;
-            }
-            Ok(())
+        let keep = |path: PathBuf| {
+            fs::create_dir_all(&curves)?;
+            fs::rename(&path, curves.join(path.file_name().unwrap_or_default()))
         };
-        keep().map_err(|source| WriteError { path: curves.clone(), source })?;
+        let kept = self.curve_files().into_iter().try_for_each(keep);
+        kept.map_err(|source| WriteError { path: curves.clone(), source })?;
         write(&self.path, &runs.csv())?;
         let _ = fs::remove_dir(&self.curves);
         let _ = fs::remove_file(&self.part);
