@@ -188,8 +188,7 @@ pub fn strip_clearance(thickness: f64) -> Picked {
 /// `radius` and `nose` are those of the mid-surface, `height` goes from the bottom's mid-surface to the rim \[mm\].
 pub fn cup_area(radius: f64, nose: f64, height: f64) -> f64 {
     let flat = radius - nose;
-    let corner = 2.0 * PI * (flat + 2.0 * nose / PI) * FRAC_PI_2 * nose;
-    PI * flat * flat + corner + 2.0 * PI * radius * (height - nose)
+    PI * flat * flat + 2.0 * PI * (flat + 2.0 * nose / PI) * FRAC_PI_2 * nose + 2.0 * PI * radius * (height - nose)
 }
 
 /// Radius of a blank of an area \[mm²\], which forming hardly changes \[mm\].

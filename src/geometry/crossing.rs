@@ -39,7 +39,7 @@ impl Profile {
         }
         // In the order of their boxes along the chain's longer way, a piece meets only those that begin before it ends.
         let boxes: Vec<Bounds> = self.pieces().iter().map(Piece::bounds).collect();
-        let size = Bounds::around(self.pieces()).map_or(Point::zeros(), |all| all.high - all.low);
+        let size = Bounds::around(self.pieces().iter().copied()).map_or(Point::zeros(), |all| all.high - all.low);
         let way = if size.x >= size.y { 0 } else { 1 };
         let mut order: Vec<usize> = (0..boxes.len()).collect();
         order.sort_by(|a, b| boxes[*a].low[way].total_cmp(&boxes[*b].low[way]));

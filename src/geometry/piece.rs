@@ -313,8 +313,8 @@ pub(crate) struct Bounds {
 }
 
 impl Bounds {
-    pub fn around(pieces: &[Piece]) -> Option<Self> {
-        pieces.iter().map(Piece::bounds).reduce(|a, b| Self { low: a.low.inf(&b.low), high: a.high.sup(&b.high) })
+    pub fn around(pieces: impl Iterator<Item = Piece>) -> Option<Self> {
+        pieces.map(|piece| piece.bounds()).reduce(|a, b| Self { low: a.low.inf(&b.low), high: a.high.sup(&b.high) })
     }
 
     pub fn with(self, p: Point) -> Self {

@@ -27,8 +27,7 @@ impl Profile {
             if v == 0 || v == n {
                 let (end, own) = self.end_tangents()[usize::from(v == n)];
                 // With its mirror image beyond the axis the chain is level there.
-                let smooth = on_axis(&end) && is_smooth(turn_on_axis(own).abs());
-                return smooth.then(|| Point::new(own.x.signum(), 0.0));
+                return (on_axis(&end) && is_smooth(turn_on_axis(own).abs())).then(|| Point::new(own.x.signum(), 0.0));
             }
             let (before, after) = (&pieces[v - 1], &pieces[v]);
             let (a, b) = (before.tangent(true), after.tangent(false));

@@ -113,8 +113,7 @@ impl Opening {
         match self.entry {
             Entry::Shoulder => (vec![[radius, FRAC_PI_2]], 0.0),
             Entry::Cone { angle, .. } => {
-                let line = ((width - radius) / angle.sin()).max(0.0);
-                (vec![[radius, FRAC_PI_2 - angle], [radius, angle]], line)
+                (vec![[radius, FRAC_PI_2 - angle], [radius, angle]], ((width - radius) / angle.sin()).max(0.0))
             }
             Entry::Tractrix { .. } => (tractrix(radius, width), 0.0),
         }

@@ -12,7 +12,7 @@ pub(super) fn check(strokes: &[(ToolId, Vec<Chain>)], frame: &Frame) -> Result {
         let strokes = strokes.iter().filter(|(tool, _)| roles.contains(&tool.role)).flat_map(|(_, strokes)| strokes);
         strokes.flat_map(|stroke| stroke.pieces().copied()).collect::<Vec<Piece>>()
     };
-    let bounds = |roles: &[Role]| Bounds::around(&pieces(roles));
+    let bounds = |roles: &[Role]| Bounds::around(pieces(roles).into_iter());
     let (Some(around), Some(punch)) = (bounds(&Role::ALL), bounds(&[Role::Punch])) else { return Ok(()) };
     if around.low.x < -frame.join && around.high.x > frame.join {
         return Ok(());

@@ -38,7 +38,7 @@ impl Chain {
     }
 
     pub fn bounds(&self) -> Bounds {
-        Bounds::around(&self.pieces().copied().collect::<Vec<_>>()).expect("a chain has pieces")
+        Bounds::around(self.pieces().copied()).expect("a chain has pieces")
     }
 
     pub fn reversed(self) -> Self {

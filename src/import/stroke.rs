@@ -69,8 +69,7 @@ pub(super) fn bounds(
         is_named && is_free && !source.on_paper && entity.is_curve()
     };
     let curves = entities.iter().filter(is_ours);
-    let pieces: Vec<Piece> = curves.filter_map(|placed| Pen { placed, frame }.pieces().ok()).flatten().collect();
-    Bounds::around(&pieces)
+    Bounds::around(curves.filter_map(|placed| Pen { placed, frame }.pieces().ok()).flatten())
 }
 
 /// Hole, edge and thickness \[mm\] of the blank of layer BLANK, a thin outline as `export` draws it.

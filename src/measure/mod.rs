@@ -135,8 +135,7 @@ impl Shape {
 
     /// θ₂, between wall and flange at the die radius \[°\].
     pub fn wall_to_flange(&self) -> Option<f64> {
-        let turn = self.flange.as_ref()?.end_slopes[0] - self.wall.as_ref()?.end_slopes[1];
-        Some(180.0 - turn.to_degrees())
+        Some(180.0 - (self.flange.as_ref()?.end_slopes[0] - self.wall.as_ref()?.end_slopes[1]).to_degrees())
     }
 
     /// ρ of the side-wall curl \[mm\]: positive where its centre lies outside, infinite for a straight wall.

@@ -19,8 +19,7 @@ pub fn moment_error(frame: &Frame) -> Option<f64> {
 
 /// ∫ σ ζ dζ by the rule, ζ from the mid-surface towards the punch's face \[N\].
 pub(super) fn moment(t: f64, layers: &[ThicknessPoint], points: &[PointRecord], sigma: fn(&PointRecord) -> f64) -> f64 {
-    let sum: f64 = layers.iter().zip(points).map(|(layer, point)| layer.weight * layer.xi * sigma(point)).sum();
-    0.5 * t * t * sum
+    0.5 * t * t * layers.iter().zip(points).map(|(layer, point)| layer.weight * layer.xi * sigma(point)).sum::<f64>()
 }
 
 /// ∫ σ ζ dζ of a meridional stress that is linear between the points \[N\].

@@ -116,8 +116,7 @@ impl Minimum {
 
     /// s², with a denominator n − p of at least 1.
     pub fn variance(&self) -> f64 {
-        let free = self.free.iter().filter(|free| **free).count();
-        self.sum() / (self.residuals.len() as f64 - free as f64).max(1.0)
+        self.sum() / (self.residuals.len() as f64 - self.free.iter().filter(|free| **free).count() as f64).max(1.0)
     }
 
     /// C for residuals of that variance; zero of what is not free, `None` where the residuals cannot tell parameters apart.

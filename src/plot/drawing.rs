@@ -62,8 +62,8 @@ impl Layer {
 
 /// Corners of the box around all layers \[mm\].
 pub(crate) fn extent(layers: &[Layer]) -> (Point, Point) {
-    let all: Vec<Piece> = layers.iter().flat_map(|layer| layer.pieces.iter().copied()).collect();
-    Bounds::around(&all).map_or((Point::zeros(), Point::zeros()), |around| (around.low, around.high))
+    let all = layers.iter().flat_map(|layer| &layer.pieces);
+    Bounds::around(all.copied()).map_or((Point::zeros(), Point::zeros()), |around| (around.low, around.high))
 }
 
 /// Coordinate without binary noise: at most 12 decimals.

@@ -48,8 +48,7 @@ impl Observer for FrameRecorder {
             self.next = 0.0;
         }
         let done = model.progress(state.time) + 1e-9;
-        let is_kept = !self.extras.is_empty() && done >= self.next;
-        if let Some(frames) = self.stages.last_mut().filter(|_| is_kept) {
+        if let Some(frames) = self.stages.last_mut().filter(|_| !self.extras.is_empty() && done >= self.next) {
             frames.push(Frame { through: ThroughThickness::default(), ..state.frame(model) });
             self.next = after(done);
         }

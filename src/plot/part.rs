@@ -14,7 +14,7 @@ pub(crate) fn plot(view: &StageView) -> Option<Chart> {
     let (right, initial) = (window[0].1, model.blank.thickness);
     let thinning = Thinning::new(initial, 0.5 * WIDTH / right, [frame]);
     let is_released = model.release.is_some();
-    let tools = tools(model, Some(frame), right).into_iter().filter(|_| !is_released);
+    let tools = tools(model, Some(frame), right).filter(|_| !is_released);
     let tools = tools.flat_map(|tool| mirrored(tool.points)).map(|body| Series::silent(body, TOOL));
     let thinnest = frame.elements.iter().min_by(|a, b| a.thickness.total_cmp(&b.thickness))?;
     let thinned = 1.0 - thinnest.thickness / initial;

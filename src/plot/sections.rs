@@ -39,12 +39,11 @@ pub(crate) fn whole_window(frame: &Frame) -> [(f64, f64); 2] {
 }
 
 /// Tool bodies as they stand in a frame, or in the model without one; `width` is that of the picture \[mm\].
-pub(crate) fn tools(model: &Model, at: Option<&Frame>, width: f64) -> Vec<Series> {
-    let tools = model.tools.iter().enumerate().map(|(i, tool)| {
+pub(crate) fn tools(model: &Model, at: Option<&Frame>, width: f64) -> impl Iterator<Item = Series> {
+    model.tools.iter().enumerate().map(move |(i, tool)| {
         let moved = at.map_or_else(Point::default, |frame| tool_displacement(frame, i));
         Series::silent(body(tool.role, &tool.profile, moved, SAGITTA * width), TOOL)
-    });
-    tools.collect()
+    })
 }
 
 /// Outline and its mirror image about the axis; one outline if it has an edge there.

@@ -65,7 +65,6 @@ pub(super) struct Pass {
     pub most: usize,
 }
 
-/// A step that is solved, and what its iterations change.
 pub(super) struct Corrector<'s, 'o> {
     pub step: &'s Step<'s>,
     pub trial: &'s mut Trial,

@@ -54,8 +54,7 @@ impl EndSearch {
             }
             return false;
         }
-        let first = TOLERANCE * dt;
-        let tolerance = self.over.map_or(first.max(self.smallest), |over| over.tolerance);
+        let tolerance = self.over.map_or((TOLERANCE * dt).max(self.smallest), |over| over.tolerance);
         if late(self.before, excess, dt) <= tolerance {
             return false;
         }

@@ -69,7 +69,6 @@ impl LineSearch {
     }
 
     fn project(&self, residual: &[Vector3<f64>], shared: &SVector<f64, MAX_SHARED>) -> f64 {
-        let nodes: f64 = self.direction.iter().zip(residual).map(|(d, r)| d.dot(r)).sum();
-        nodes + self.shared.dot(shared)
+        self.direction.iter().zip(residual).map(|(d, r)| d.dot(r)).sum::<f64>() + self.shared.dot(shared)
     }
 }

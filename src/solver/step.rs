@@ -62,8 +62,7 @@ impl<'a> Step<'a> {
         let voids = |exponent: f64| if model.material.gtn.is_some() { exponent.exp() } else { 1.0 };
         let growth: Vec<f64> = state.dilation_rate.iter().map(|rate| voids(rate * dt)).collect();
         let volume = |e: usize| {
-            let foreseen = state.volume[e] * voids(state.dilation[e] + state.dilation_rate[e] * dt);
-            foreseen * (section[e] / state.thickness[e])
+            state.volume[e] * voids(state.dilation[e] + state.dilation_rate[e] * dt) * (section[e] / state.thickness[e])
         };
         let volume = (0..growth.len()).map(volume).collect();
         let around = surroundings(context, state, process_time, &neighbourhood);

@@ -51,7 +51,6 @@ pub(super) fn record(converged: &Converged, before: &Evaluation, next: &State, r
     }
 }
 
-/// Changes of contact, share of sticking points, share of the holder's force on the rim.
 fn contact_shares(converged: &Converged, before: &Evaluation) -> StepRecord {
     let Converged { step, evaluation, .. } = converged;
     let (model, penalty) = (step.model, &step.context.penalty);

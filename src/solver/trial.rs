@@ -48,8 +48,7 @@ impl Trial {
     pub fn new(context: &RunContext, state: &State) -> Self {
         let (model, n) = (context.model, state.nodes.len());
         let (elements, layers) = (state.thickness.len(), context.rule.len());
-        let is_constant = model.release == Some(ReleaseStiffness::Constant);
-        let kept = is_constant.then(|| System::new(n, context.shared));
+        let kept = (model.release == Some(ReleaseStiffness::Constant)).then(|| System::new(n, context.shared));
         let iterates = Grid::new(elements, layers, Iterate::default());
         let elastoplastic = if model.mode == Mode::Flow { 0 } else { elements };
         let elastoplastic = Grid::new(elastoplastic, layers, PointMemory::default());

@@ -162,8 +162,7 @@ fn text((number, unit): (String, &str)) -> String {
 /// the last digit.
 fn with_bar(value: f64, bar: f64, most: i32) -> String {
     let first = if bar > 0.0 { -bar.log10().floor() as i32 } else { most };
-    let is_one = format!("{bar:e}").starts_with('1');
-    let decimals = most.min(first + i32::from(is_one));
+    let decimals = most.min(first + i32::from(format!("{bar:e}").starts_with('1')));
     let place = 10f64.powi(-decimals);
     let write = |places: f64| unsigned_zero(&format!("{:.*}", decimals.max(0) as usize, places * place));
     format!("{} ± {}", write((value / place).round()), write((bar / place - 0.05).ceil().max(1.0)))

@@ -55,9 +55,8 @@ impl HardeningLaw for Isotherms {
         }
         let n = self.curves.len();
         require("", n >= 2, || format!("needs curves at two temperatures or more, found {n}"))?;
-        let falls = self.curves.windows(2).position(|pair| pair[1].temperature <= pair[0].temperature);
-        falls.map_or(Ok(()), |i| {
-            require(&format!("curves.{}.temperature", i + 1), false, || {
+        self.curves.windows(2).enumerate().try_for_each(|(i, pair)| {
+            require(&format!("curves.{}.temperature", i + 1), pair[1].temperature > pair[0].temperature, || {
                 format!("curve {}: its temperature does not rise above that of the one before", i + 2)
             })
         })

@@ -70,8 +70,7 @@ impl HardeningLaw for Table {
 
 pub(super) fn curve(points: &Points, beyond: Extrapolation) -> Result<Monotone, LawError> {
     few("points", points.len(), MOST)?;
-    let pairs: Vec<_> = points.iter().map(|(strain, stress)| (strain.value(), stress.value())).collect();
-    Monotone::new(&pairs, beyond)
+    Monotone::new(&points.iter().map(|(strain, stress)| (strain.value(), stress.value())).collect::<Vec<_>>(), beyond)
 }
 
 pub(super) fn few(key: &str, length: usize, most: usize) -> Result<(), LawError> {

@@ -142,8 +142,7 @@ fn points_that_can_be_drawn_lie_inside_the_axes() {
     use crate::plot::chart::{Chart, Series};
     let axis = crate::plot::Axis::named("X", crate::table::Unit::Mm);
     let points = vec![(0.0, 0.0), (f64::NAN, 1.0), (5.0, -2.0), (1e308, -1e308), (f64::INFINITY, 0.0), (10.0, 4.0)];
-    let line = Series::silent(points, Style::solid((9, 9, 9), 2.0));
-    let panel = Panel::fit(axis.clone(), axis, 200.0, 0.0).with([line]);
+    let panel = Panel::fit(axis.clone(), axis, 200.0, 0.0).with([Series::silent(points, Style::solid((9, 9, 9), 2.0))]);
     let svg = super::svg(&Chart::new("", vec![panel], Vec::new()));
     let line = svg.lines().find(|line| line.contains("#090909")).expect("the line is drawn");
     let points = line.split("points=\"").nth(1).expect("points").split('"').next().expect("an end");
