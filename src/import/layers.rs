@@ -54,12 +54,6 @@ pub(super) fn layers(entities: &[Placed], options: &Options, frame: &Frame) -> R
     Ok((ordered(layers), all, counts.into_keys().map(str::to_owned).collect()))
 }
 
-pub(super) fn nothing_drawn(all: &str) -> ImportError {
-    let help = "say which is which, for example --layer NAME=punch --layer OTHER=die; layers whose names hold punch, die or \
-                holder are found by themselves, in German and French too";
-    ImportError::new(format!("no line, arc, polyline or spline is on a tool's layer: there are {all}"), help)
-}
-
 /// Number of the operation and name of a layer that `export` draws beside the tools: 20 and `sheet` of `OP20_SHEET`.
 pub(super) fn exported(layer: &str) -> Option<(Option<u32>, &'static str)> {
     let (lower, number) = (layer.to_lowercase(), operation_in(layer));

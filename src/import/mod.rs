@@ -34,7 +34,7 @@ use crate::geometry::{Point, Profile};
 use crate::model::{Geometry, Role};
 use crate::units::parse;
 use layers::ToolId;
-use std::fmt;
+use std::{collections::BTreeSet, fmt};
 
 /// Reason why no section can be read from a drawing.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -165,13 +165,15 @@ pub fn read(bytes: &[u8], options: &Options) -> Result<Sections> {
         frame.note(format!("the blank of layer BLANK is {thickness} mm thick, its edge at x = {edge} mm"));
     }
     let (layers, all, others) = layers::layers(&entities, options, &frame)?;
-    let mut tools: Vec<ToolId> = layers.values().copied().collect();
-    tools.sort_unstable();
-    tools.dedup();
+    let tools: BTreeSet<ToolId> = layers.values().copied().collect();
     let drawn = |tool: ToolId| Ok((tool, stroke::strokes(&entities, &layers, tool, &frame)?));
     let mut strokes = tools.into_iter().map(drawn).collect::<Result<Vec<_>>>()?;
     strokes.retain(|(_, drawn)| !drawn.is_empty());
-    ensure(!strokes.is_empty(), || layers::nothing_drawn(&all))?;
+    let help = "say which is which, for example --layer NAME=punch --layer OTHER=die; layers whose names hold punch, die or \
+                holder are found by themselves, in German and French too";
+    let empty =
+        || ImportError::new(format!("no line, arc, polyline or spline is on a tool's layer: there are {all}"), help);
+    ensure(!strokes.is_empty(), empty)?;
     options.axis.map_or_else(|| axis::check(&strokes, &frame), |_| Ok(()))?;
     let pieces = strokes.iter().flat_map(|(_, strokes)| strokes).flat_map(|stroke| stroke.pieces());
     frame.check_unit(options, 2.0 * pieces.map(|piece| piece.last().x.abs()).fold(0.0, f64::max))?;

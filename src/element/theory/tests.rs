@@ -26,13 +26,11 @@ impl PointLaw for Recorder {
     }
 }
 
-/// Stress and moment of a thickness part.
 pub fn stress(update: &StressUpdate) -> Matrix {
     let StressUpdate { stress: [s, t, shear], moment, .. } = update;
     column(&[*s, *t, moment[0], moment[1], *shear])
 }
 
-/// Tangent of a thickness part.
 pub fn tangent(tangent: &Tangent) -> Matrix {
     Matrix::from_column_slice(5, 5, matrix(tangent).as_slice())
 }

@@ -65,7 +65,6 @@ fn thick_shells_flow_at_the_pressure_of_the_closed_form_but_for_second_order() {
                 let gas = vec![Gas { face: Face::Lower, pressure: pressure.into(), within: RADIUS }];
                 on_a_node(&Model { gas, ..plain.clone() }).0
             };
-            // A concentric tool.
             let tool = |deep: f64| {
                 let arc = Piece::arc(Point::zeros(), RADIUS - 0.5 * thickness + deep, FRAC_PI_2 + 0.1, -1.5);
                 let profile = Profile::new(vec![arc]).expect("one arc");
