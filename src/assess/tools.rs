@@ -40,7 +40,15 @@ pub(super) fn narrow(model: &Model) -> Option<Finding> {
 pub(super) fn clearance(run: &Run) -> Option<Finding> {
     let blank = &run.case.model().blank;
     let judged = |i: usize, stage: &StageSolution| {
-        let gap = estimate::clearance(&stage.model)? / blank.thickness;
+        let mut placed = stage.model.clone();
+        // Tools of a later stage begin where they touch the sheet.
+        if let (Some(frame), true) = (stage.frames.last(), i > 0) {
+            let tools = placed.tools.iter().zip(&frame.tool_displacement);
+            let moved =
+                |role: Role| tools.clone().find(|(tool, _)| tool.role == role).map_or(0.0, |(_, moved)| moved.y);
+            placed.travel = moved(Role::Punch) - moved(Role::Die);
+        }
+        let gap = estimate::clearance(&placed)? / blank.thickness;
         let upright = is_upright(stage).unwrap_or(false);
         let wide = if upright { WIDE / LEAST } else { f64::INFINITY };
         let wall = stage.frames.last().and_then(thickest).map(|(wall, _)| wall / blank.thickness);

@@ -52,7 +52,7 @@ pub(super) fn content(report: &Report) -> Markup {
 pub(super) fn ratios(report: &Report) -> Vec<Option<f64>> {
     let models: Vec<&Model> = with_new_tools(report).map(|i| begun(report, i).0).collect();
     let punch = |model: &Model| Some(extent(model.tool(Role::Punch)?).1);
-    let redraws = models.windows(2).map(|pair| Some(punch(pair[0])? / punch(pair[1])?));
+    let redraws = models.windows(2).map(|pair| Some(punch(pair[0])? / punch(pair[1])?).filter(|ratio| *ratio > 1.0));
     models.first().map(|first| draw_ratio(first)).into_iter().chain(redraws).collect()
 }
 

@@ -86,7 +86,8 @@ fn begin(stage: &Stage, before: &StageSolution) -> (Model, State, Option<Trimmed
 /// Time and travel restart, velocities scale with the speed; tools that stay keep position and pressure, gases their pressure.
 pub fn enter(stage: &Stage, before: &Model, mut state: State) -> State {
     let (model, begin) = (&stage.model, &stage.begin);
-    (state.time, state.travel) = (0.0, 0.0);
+    // The forces of tools that had gone before have faded.
+    (state.time, state.travel, state.unloading) = (0.0, 0.0, Arc::default());
     if begin.turn_over {
         turn_over(&mut state);
     }

@@ -114,3 +114,36 @@ fn tension_straightens_a_wall() {
     assert!(wall("tools.holder.force=3200 N/mm") < 0.5 * loose);
     assert!(wall("tools.beads=[{ at = \"42 mm\", restraining = \"5 N/mm\" }]") > 0.8 * loose);
 }
+
+/// Trust: tools closed on the flanks, or on sharper bends, take the curl that a free bend keeps; a third of it is asked for.
+#[test]
+fn what_is_pressed_home_springs_back_less() {
+    let hat = [("nose", "9 mm"), ("shoulder", "9 mm"), ("springback", "1 deg")];
+    for (template, sizes, key, home) in [
+        ("v-bend", &[][..], "opening_angle", ("bottom", "yes")),
+        ("hat-section", &hat, "wall_angle", ("restrike", "6 mm")),
+    ] {
+        let change = |more: &[(&str, &str)]| {
+            let solution = solved_once(&made(template, &[sizes, more].concat(), &[]));
+            of(&released(solution), key).change().unwrap().abs()
+        };
+        let [free, pressed] = [change(&[]), change(&[home])];
+        assert!(pressed < free / 3.0, "{template}: {free}° {pressed}°");
+    }
+}
+
+/// Trust: a section that flows as a whole has the moment E_t κ t³/12, E_t = 4/3 dσ/dε̄ in plane strain, and loses E_t (1 − ν²)/E
+/// of its curvature (derived here); 15 %: places that are bent last have unloaded on one face.
+#[test]
+fn a_stretched_strip_springs_back_by_its_hardening_alone() {
+    for stretch in [4.0_f64, 6.0, 8.0] {
+        let sizes = [("k", "520 MPa"), ("friction", "0"), ("radius", "150 mm"), ("angle", "130 deg")];
+        let case = made("stretch-bend", &[&sizes[..], &[("stretch", &format!("{stretch} %"))]].concat(), &[]);
+        let solution = solved_once(&case);
+        let turned = |frame: &Frame| frame.nodes.iter().map(|node| node.theta.abs()).fold(0.0, f64::max);
+        let [bent, free] = solution.stages[1].released().unwrap().map(turned);
+        let strain = 2.0 / 3f64.sqrt() * (0.01 * stretch).ln_1p();
+        let tangent = 4.0 / 3.0 * case.model().material.hardening.at(strain).slope;
+        assert_relative_eq!(1.0 - free / bent, tangent * (1.0 - 0.09) / 206e3, max_relative = 0.15);
+    }
+}

@@ -1,5 +1,6 @@
-//! Clamped sheets: stretched over a dome, bulged by oil, or cupped in Erichsen's test.
+//! Clamped sheets: stretched over a dome, bulged by oil, free or into a die, embossed, or cupped in Erichsen's test.
 
+use super::strips::stepped;
 use super::*;
 
 /// Radius of Erichsen's specimen and of the die's edge \[mm\] (ISO 20482).
@@ -53,6 +54,84 @@ pub(super) fn bulge(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError>
     sizes.die(&blank, &Picked::input(opening), &shoulder, f64::INFINITY);
     sizes.set("diameter", plain(2.0 * opening), "");
     sizes.set("pressure", format!("\"{} MPa\"", rounded(pressure.value)), &pressure.why);
+    Ok(sizes)
+}
+
+pub(super) fn hydroform(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
+    let t = sheet.thickness;
+    let [opening, depth] = inputs.values(["opening", "depth"]);
+    let [corner, shoulder] = ["corner", "shoulder"].map(|key| inputs.pick(key, || rules::tool_radius(t)));
+    let (r, edge) = (corner.value, opening + shoulder.value);
+    let [deep, least, wide] = [depth, r + shoulder.value, 2.0 * opening].map(plain);
+    let what =
+        || format!("a cavity {deep} deep and Ø {wide} has no room for the radii of its edge and its corner, {least}");
+    ensure(
+        depth >= r + shoulder.value && r <= opening,
+        what,
+        "make --corner or --shoulder smaller, or --depth larger",
+    )?;
+    let grown = (1.0 + 2.0 * depth / opening).ln();
+    let flow = sheet.metal.hardening.at(grown).stress;
+    let why =
+        "σ t/r of the corner, with the flow stress where the area has grown as from disc to sharp-cornered cavity";
+    let pressure = inputs.pick("pressure", || Picked::by(rounded_up(flow * t / r, 2), why));
+    let (down, into) = (Point::new(opening, shoulder.value), Point::new(opening, depth - r));
+    let wall = (into.y > down.y + 1e-6).then_some((into, None));
+    let onto = [(Point::new(edge, 0.0), None), (down, Some((Point::new(edge, down.y), false)))];
+    let middle = Point::new(opening - r, into.y);
+    let along = [(middle + r * Point::y(), Some((middle, true))), (Point::new(0.0, depth), None)];
+    let steps: Vec<_> = onto.into_iter().chain(wall).chain(along).collect();
+    let mut sizes = sheet.values(false);
+    sizes.elements(edge, r.min(shoulder.value), 1);
+    sizes.set("die", profile_text(Point::new(2.0 * edge, 0.0), &steps, exact), &corner.reason("corner: "));
+    sizes.set("diameter", wide, "");
+    sizes.set("deep", deep, "");
+    sizes.set("pressure", format!("\"{} MPa\"", rounded(pressure.value)), &pressure.why);
+    sizes.lengths([("blank", &Picked::by(edge, "clamped where the die's edge ends"))]);
+    Ok(sizes)
+}
+
+pub(super) fn emboss(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
+    let t = sheet.thickness;
+    let [boss, depth] = inputs.values(["boss", "depth"]);
+    let radius = inputs.pick("radius", || rules::tool_radius(t));
+    let flat = inputs.pick("flat", || Picked::by(10.0 * t, "10 thicknesses around the boss, declared"));
+    let (bends, far) = ([radius.value, radius.value + t], boss + flat.value);
+    let [wide, deep] = [2.0 * boss, depth].map(plain);
+    let shape = inputs.name("shape").unwrap_or("flat");
+    ensure(["flat", "dome"].contains(&shape), || format!("no boss is {shape}"), "--shape flat or dome")?;
+    let punch = if shape == "dome" {
+        inputs.either(["shape", "length"])?;
+        // Radius of the dome and of the hollow bend at its foot, whose centres and ends are in line.
+        let both = (boss * boss + depth * depth) / (2.0 * depth);
+        let dome = both - bends[1];
+        let what =
+            || format!("a dome Ø {wide} and {deep} deep has no room for the bend at its foot, {}", plain(bends[1]));
+        ensure(depth < boss && dome > bends[1], what, "make --depth or --radius smaller")?;
+        let end = dome / both * Point::new(boss, -depth);
+        let steps = [
+            (end, Some((Point::new(0.0, -dome), false))),
+            (Point::new(boss, -depth), Some((Point::new(boss, bends[1] - depth), true))),
+            (Point::new(far, -depth), None),
+        ];
+        profile_text(Point::zeros(), &steps, exact)
+    } else {
+        let radii = bends[0] + bends[1];
+        let bent = depth.min(radii);
+        let length = inputs.number("length").unwrap_or(f64::max(2.0 * depth, (bent * (2.0 * radii - bent)).sqrt()));
+        let what = || format!("a flank {} wide leaves no flat of a boss Ø {wide}", plain(length));
+        ensure(length < boss, what, "make --boss larger, or --depth, --radius or --length smaller")?;
+        profile_text(Point::zeros(), &stepped(boss - length, [length, depth], bends, far)?.0, exact)
+    };
+    let mut sizes = sheet.values(false);
+    sizes.elements(far, radius.value, 1);
+    sizes.set("profile", punch, &radius.reason("bends: "));
+    sizes.set("diameter", wide, "");
+    sizes.set("deep", deep, "");
+    sizes.lengths([
+        ("blank", &Picked { value: far, why: flat.why }),
+        ("travel", &Picked::by(depth, "until the tools are closed at a thickness")),
+    ]);
     Ok(sizes)
 }
 

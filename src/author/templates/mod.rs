@@ -10,6 +10,7 @@
 //! # Ok::<(), stampflow::case::CaseError>(())
 //! ```
 
+mod bends;
 mod clamped;
 mod cup;
 mod cups;
@@ -30,7 +31,7 @@ use crate::case::CaseError;
 use crate::geometry::Point;
 use crate::model::Geometry;
 use crate::units::{did_you_mean, joined, rounded, rounded_up, significant, trimmed};
-use crate::writer::{Values, exact, mm, plain, profile_text};
+use crate::writer::{Step, Values, exact, mm, plain, profile_text};
 use rules::Picked;
 use serde::Deserialize;
 use sizes::{draw_ratio, ensure, newtons, nose, throat};
@@ -60,13 +61,15 @@ struct Header {
 
 /// Every template.
 pub static TEMPLATES: LazyLock<Vec<Template>> = LazyLock::new(|| {
-    let files: [(&str, &str, Sizes); 17] = [
+    let files: [(&str, &str, Sizes); 20] = [
         ("cup", include_str!("cup.toml"), cup::cup::<1>),
         ("redraw", include_str!("redraw.toml"), cup::cup::<2>),
         ("hemispherical-cup", include_str!("hemispherical_cup.toml"), cups::hemispherical),
         ("conical-cup", include_str!("conical_cup.toml"), cups::conical),
         ("stretch-dome", include_str!("stretch_dome.toml"), clamped::stretch_dome),
         ("bulge", include_str!("bulge.toml"), clamped::bulge),
+        ("hydroform", include_str!("hydroform.toml"), clamped::hydroform),
+        ("emboss", include_str!("emboss.toml"), clamped::emboss),
         ("erichsen", include_str!("erichsen.toml"), clamped::erichsen),
         ("hole-expansion", include_str!("hole_expansion.toml"), holes::hole_expansion),
         ("collar", include_str!("collar.toml"), holes::collar),
@@ -76,8 +79,9 @@ pub static TEMPLATES: LazyLock<Vec<Template>> = LazyLock::new(|| {
         ("hat-section", include_str!("hat_section.toml"), strips::hat_section),
         ("box-section", include_str!("box_section.toml"), strips::box_section),
         ("joggle", include_str!("joggle.toml"), strips::joggle),
-        ("v-bend", include_str!("v_bend.toml"), strips::v_bend),
-        ("u-bend", include_str!("u_bend.toml"), strips::u_bend),
+        ("v-bend", include_str!("v_bend.toml"), bends::v_bend),
+        ("stretch-bend", include_str!("stretch_bend.toml"), bends::stretch_bend),
+        ("u-bend", include_str!("u_bend.toml"), bends::u_bend),
     ];
     // A case of the kind before it has no text of its own.
     let mut before = "";

@@ -1,12 +1,15 @@
-//! Strips in plane strain: hat and box sections drawn with a holder, a joggle, a V bent in air, and a U between punch and die.
+//! Strips in plane strain: hat and box sections drawn with a holder, a hat pressed home, and a joggle.
 
 use super::{cup::BLANK, *};
 use crate::case::parse;
-use crate::measure::{Shape, part_height};
+use crate::measure::part_height;
+use crate::model::{Role, tool_sizes::met};
 use crate::numerics::interpolated;
 use crate::solver::{self, solution::Frame};
 
 const RUNS: usize = 4;
+/// Room beside a wall for the tools of a restrike over the thickness \[–\], declared.
+const SLIDES: f64 = 0.1;
 const CORRECTED: &str = "as runs of this case need";
 
 /// Values of a template for two sizes \[mm\] that runs of its first `stages` correct, each by what the part then `misses` \[mm\].
@@ -28,7 +31,7 @@ pub(super) fn corrected(
 }
 
 /// Sets a pad on the bottom's flat \[mm\], or keeps the note that there is none; and the tolerance of the angle.
-fn pad(sizes: &mut Values, inputs: &Inputs, flat: f64) {
+pub(super) fn pad(sizes: &mut Values, inputs: &Inputs, flat: f64) {
     if let Some(angle) = inputs.number("springback") {
         sizes.set("springback", format!("\"{} deg\"", rounded(angle.to_degrees())), "");
     }
@@ -87,6 +90,34 @@ pub(super) fn box_section(inputs: &Inputs, sheet: &Sheet) -> Result<Values, Case
     })
 }
 
+/// Steps of a tool from z = 0 on the symmetry plane, and the length of its step along the middle of its bends \[mm\]: a flat, a bend of `radius`, a
+/// hollow one, and a flat up to `far` that begins `length` further out and is `depth` lower.
+pub(super) fn stepped(
+    flat: f64, [length, depth]: [f64; 2], [radius, hollow]: [f64; 2], far: f64,
+) -> Result<(Vec<Step>, f64), CaseError> {
+    let (radii, end) = (radius + hollow, flat + length);
+    let bent = depth.min(radii);
+    let least = (bent * (2.0 * radii - bent)).sqrt();
+    let [long, deep, least_long] = [length, depth, least].map(plain);
+    let what = || format!("a step {long} long and {deep} deep has no room for its bends, {least_long}");
+    ensure(length >= least, what, "make --length larger, or --radius or --depth smaller")?;
+    let straight = (length.powi(2) + depth.powi(2) - 2.0 * radii * depth).max(0.0).sqrt();
+    let angle = length.atan2(radii - depth) - straight.atan2(radii);
+    let (sin, cos) = angle.sin_cos();
+    let [first, second] = [Point::new(flat, -radius), Point::new(end, hollow - depth)];
+    let mut steps = vec![
+        (Point::new(flat, 0.0), None),
+        (first + radius * Point::new(sin, cos), Some((first, false))),
+        (second - hollow * Point::new(sin, cos), None),
+        (Point::new(end, -depth), Some((second, true))),
+        (Point::new(far, -depth), None),
+    ];
+    if straight < 1e-6 {
+        steps.remove(2);
+    }
+    Ok((steps, radii * angle + straight))
+}
+
 /// Joggle whose step is as deep, and whose strip is as wide, as was wanted after release.
 pub(super) fn joggle(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
     let t = sheet.thickness;
@@ -97,36 +128,19 @@ pub(super) fn joggle(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError
     let radii = 2.0 * radius.value + gap.value;
     let length = inputs.number("length").unwrap_or(f64::max(4.0 * depth, radii));
     let [end, hollow] = [flat + length, radius.value + gap.value];
-    // Straight part between the bends and its angle to the flats, of tools whose step has this depth.
-    let straight = |step: f64| (length.powi(2) + step.powi(2) - 2.0 * radii * step).max(0.0).sqrt();
-    let angle = |step: f64| length.atan2(radii - step) - straight(step).atan2(radii);
+    let tool = |step: f64| stepped(flat, [length, step], [radius.value, hollow], end + 4.0 * flat);
     let values = |[blank, step]: [f64; 2]| {
-        let bent = step.min(radii);
-        let least = (bent * (2.0 * radii - bent)).sqrt();
-        let [long, deep, least_long] = [length, step, least].map(plain);
-        let what = || format!("a step {long} long and {deep} deep has no room for its bends, {least_long}");
-        ensure(length >= least, what, "make --length larger, or --radius or --depth smaller")?;
-        let (sin, cos) = angle(step).sin_cos();
-        let [first, second] = [Point::new(flat, -radius.value), Point::new(end, hollow - step)];
-        let steps = [
-            (Point::new(flat, 0.0), None),
-            (first + radius.value * Point::new(sin, cos), Some((first, false))),
-            (second - hollow * Point::new(sin, cos), None),
-            (Point::new(end, -step), Some((second, true))),
-            (Point::new(end + 4.0 * flat, -step), None),
-        ];
         let blank = Picked::nearest(blank, BLANK, CORRECTED);
         let mut sizes = sheet.values(true);
         sizes.elements(blank.value, radius.value, 1);
-        sizes.set("profile", profile_text(Point::zeros(), &steps, exact), &radius.reason("radius: "));
+        sizes.set("profile", profile_text(Point::zeros(), &tool(step)?.0, exact), &radius.reason("radius: "));
         sizes.set("depth", plain(depth), "");
         sizes.set("length", plain(length), "");
         let travel = Picked::by(step + t - gap.value, "until the tools are closed");
         sizes.lengths([("blank", &blank), ("clearance", &gap), ("travel", &travel)]);
         Ok(sizes)
     };
-    let first = 2.0 * flat + radii * angle(depth) + straight(depth);
-    corrected("joggle", 2, [first, depth], values, |part| {
+    corrected("joggle", 2, [2.0 * flat + tool(depth)?.1, depth], values, |part| {
         let middle: Vec<_> = part.nodes.iter().map(|node| (node.r, node.z)).collect();
         Some([end + flat - part.nodes.last()?.r, depth - interpolated(&middle, flat) + interpolated(&middle, end)])
     })
@@ -160,68 +174,39 @@ pub(super) fn hat_section(inputs: &Inputs, sheet: &Sheet) -> Result<Values, Case
     pad(&mut sizes, inputs, half_width - nose.value);
     let pressure = inputs.pick("holder-pressure", || rules::strip_pressure(sheet.tensile_strength));
     sizes.holder(Geometry::PlaneStrain, [throat.value + shoulder.value, blank.value], &pressure)?;
+    inputs.only_with("restrike", "springback")?;
+    if let Some(radius) = inputs.number("restrike") {
+        let bend = nose.value.min(shoulder.value);
+        let what = || format!("a restrike to {} sharpens no bend of {}", plain(radius), plain(bend));
+        ensure(radius < bend, what, "make --restrike smaller, or --nose and --shoulder larger")?;
+        sizes.elements(blank.value, radius, 1);
+        sizes.set("pad_too", inputs.number("pad-pressure").map_or("", |_| ", \"pad\""), "");
+        restrike(&mut sizes, radius, [half_width, throat.value, height, blank.value], t)?;
+    }
     Ok(sizes)
 }
 
-pub(super) fn v_bend(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
-    let t = sheet.thickness;
-    let angle = inputs.value("angle");
-    let turn = 0.5 * (std::f64::consts::PI - angle);
-    // "60 deg" is 59.99999999999999° once it has been a radian.
-    let degrees = rounded(angle.to_degrees());
-    let what = || format!("an angle of {degrees:.1}° between the legs is none that is bent in air over a V");
-    ensure((60.0..=170.0).contains(&degrees), what, "--angle from 60 deg to 170 deg")?;
-    let [nose, shoulder] = ["nose", "shoulder"].map(|key| inputs.pick(key, || rules::tool_radius(t)));
-    let width = inputs.pick("width", || rules::v_width(nose.value));
-    let (reach, wide) = (0.5 * width.value, plain(width.value));
-    let why = format!("half of the V's width of {wide} less its shoulder{}", width.reason(", "));
-    let throat = Picked::by(reach - shoulder.value, why);
-    let help = "make --width larger, or --nose or --shoulder smaller";
-    let what =
-        || format!("a V {wide} wide between the centres of its shoulders leaves no room for the punch and the sheet");
-    ensure(throat.value >= nose.value + t, what, help)?;
-    // Straight legs from nose to shoulder.
-    let radii = nose.value + shoulder.value + t;
-    let travel = |turn: f64| radii + (reach * turn.sin() - radii) / turn.cos();
-    let what = || format!("{degrees:.1}° takes {} of travel over a V {wide} wide: no bend", plain(travel(turn)));
-    ensure(travel(turn) >= t, what, help)?;
-    let leg = inputs.number("leg").unwrap_or(reach);
-    let why = "longer than the way to the V's shoulders along the bent leg";
-    let blank = Picked::nearest(reach / turn.cos() + leg, BLANK, why);
-    let values = |[travel, _]: [f64; 2]| {
-        let travel = Picked::by(travel, "runs of this case have the wanted angle there, before they spring back");
-        let mut sizes = sheet.values(true);
-        sizes.die(&blank, &throat, &shoulder, nose.value);
-        sizes.set("degrees", format!("{:.0}", angle.to_degrees()), "");
-        sizes.set("angle", format!("\"{degrees} deg\""), "");
-        sizes.lengths([("radius", &nose), ("travel", &travel)]);
-        Ok(sizes)
-    };
-    corrected("v-bend", 1, [travel(turn), 0.0], values, |bent| {
-        let opening = Shape::of(bent).opening_angle()?;
-        Some([travel(turn) - travel(0.5 * (180.0 - opening).to_radians()), 0.0])
-    })
-}
-
-pub(super) fn u_bend(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
-    let t = sheet.thickness;
-    let [half_width, leg] = inputs.values(["half-width", "leg"]);
-    let nose = nose(inputs, sheet, half_width)?;
-    let shoulder = inputs.pick("shoulder", || rules::tool_radius(t));
-    let length = half_width - nose.value + rules::quarter_bend(nose.value, t) + leg - t - nose.value;
-    let blank = Picked::nearest(length, BLANK, "half of the bottom, the bend and the leg along the mid-surface");
-    let throat = throat(half_width, &inputs.pick("clearance", || rules::strip_clearance(t)));
-    let least = throat.value + shoulder.value + 2.0 * t;
-    let what = || {
-        let [leg, strip, least] = [leg, blank.value, least].map(plain);
-        format!("a leg of {leg} makes a strip of {strip}, which hardly rests on the die's shoulder, up to {least}")
-    };
-    ensure(blank.value >= least, what, "make --leg larger, or --shoulder or --clearance smaller")?;
-    let travel = rules::upright_travel(nose.value, shoulder.value, t);
-    let mut sizes = sheet.values(true);
-    sizes.die(&blank, &throat, &shoulder, nose.value);
-    sizes.set("width", plain(2.0 * half_width), "");
-    pad(&mut sizes, inputs, half_width - nose.value);
-    sizes.lengths([("half_width", &Picked::input(half_width)), ("nose", &nose), ("travel", &travel)]);
-    Ok(sizes)
+/// Sets the tools that press nose and shoulder to a radius \[mm\], and how far the punch goes until they are closed at a
+/// thickness: they begin where they touch the sheet, which a run of the draw tells.
+fn restrike(sizes: &mut Values, radius: f64, [punch, throat, depth, far]: [f64; 4], t: f64) -> Result<(), CaseError> {
+    let (hollow, free) = (radius + t, SLIDES * t);
+    let [punch, throat] = [punch - free, throat + free];
+    let tool = |wall: f64, bends: [f64; 2]| stepped(wall - bends[0], [radius + hollow, depth], bends, far);
+    let (punch, die) = (tool(punch, [radius, hollow])?.0, tool(throat, [hollow, radius])?.0);
+    let ends: Vec<_> = std::iter::once(Point::zeros()).chain(die.iter().map(|step| step.0)).collect();
+    let inward = |(step, to): (&Step, &Point)| (*to, step.1.map(|(center, left)| (center, !left)));
+    let die: Vec<_> = die.iter().zip(&ends).rev().map(inward).collect();
+    let why = format!("{SLIDES} thicknesses narrower than that of the draw, the die wider: both slide into the part");
+    sizes.set("struck", profile_text(Point::zeros(), &punch, exact), &why);
+    sizes.set("struck_die", profile_text(ends[die.len()], &die, exact), "");
+    sizes.lengths([("restrike", &Picked::input(radius)), ("move", &Picked::input(depth))]);
+    let stages = parse(&sizes.fill(find("hat-section")?.text), "hat-section", &[])?.stages;
+    let runs = solver::solve(&stages[..1], &mut ());
+    let nodes = runs.last().and_then(|run| run.frames.last()).map_or(&[][..], |frame| &frame.nodes);
+    let sheet: Vec<_> = nodes.iter().map(|node| (Point::new(node.r, node.z), 0.5 * node.thickness)).collect();
+    let met =
+        |role: Role| stages[1].model.tool(role).map_or(0.0, |tool| met(&tool.profile, role.side(), &sheet, [t, 0.0]));
+    let way = depth + met(Role::Die) - met(Role::Punch) - 0.02 * t;
+    sizes.lengths([("move", &Picked::by(way, "until the tools are closed at 1.02 thicknesses"))]);
+    Ok(())
 }

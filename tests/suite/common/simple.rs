@@ -17,6 +17,14 @@ pub fn pulled(geometry: Geometry, theory: Theory, travel: f64) -> Model {
     Model { geometry, timed: true, ..Model::new(blank, material, vec![], travel) }
 }
 
+/// A sheet of 50 mm clamped at its edge, with no die, under a pressure on its lower face for 10 s.
+pub fn bulged(geometry: Geometry, theory: Theory, elements: usize, pressure: Pressure) -> Model {
+    let pulled = pulled(geometry, theory, 1.0);
+    let blank = Blank { length: 50.0, elements, edge: Edge::Clamped, ..pulled.blank.clone() };
+    let gas = vec![Gas { face: Face::Lower, pressure, within: 50.0 }];
+    Model { blank, gas, travel: 0.0, speed: 5.0, duration: 10.0, frames: vec![10.0], ..pulled }
+}
+
 /// Lets the punch of a model travel so far [mm] at its speed.
 pub fn drive_to(model: &mut Model, travel: f64) {
     (model.travel, model.duration) = (travel, travel / model.speed);
