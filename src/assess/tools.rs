@@ -41,8 +41,9 @@ pub(super) fn clearance(run: &Run) -> Option<Finding> {
     let blank = &run.case.model().blank;
     let judged = |i: usize, stage: &StageSolution| {
         let mut placed = stage.model.clone();
-        // Tools of a later stage begin where they touch the sheet.
-        if let (Some(frame), true) = (stage.frames.last(), i > 0) {
+        // New tools of a later stage begin where they touch the sheet.
+        let is_new = run.case.stages[i].begin.meets.contains(&Role::Die);
+        if let (Some(frame), true) = (stage.frames.last(), is_new) {
             let tools = placed.tools.iter().zip(&frame.tool_displacement);
             let moved =
                 |role: Role| tools.clone().find(|(tool, _)| tool.role == role).map_or(0.0, |(_, moved)| moved.y);

@@ -136,13 +136,13 @@ fn what_is_pressed_home_springs_back_less() {
 /// of its curvature (derived here); 15 %: places that are bent last have unloaded on one face.
 #[test]
 fn a_stretched_strip_springs_back_by_its_hardening_alone() {
-    for stretch in [4.0_f64, 6.0, 8.0] {
+    for stretch in [4.0, 6.0, 8.0] {
         let sizes = [("k", "520 MPa"), ("friction", "0"), ("radius", "150 mm"), ("angle", "130 deg")];
         let case = made("stretch-bend", &[&sizes[..], &[("stretch", &format!("{stretch} %"))]].concat(), &[]);
         let solution = solved_once(&case);
         let turned = |frame: &Frame| frame.nodes.iter().map(|node| node.theta.abs()).fold(0.0, f64::max);
         let [bent, free] = solution.stages[1].released().unwrap().map(turned);
-        let strain = 2.0 / 3f64.sqrt() * (0.01 * stretch).ln_1p();
+        let strain = 2.0 / 3f64.sqrt() * (0.01_f64 * stretch).ln_1p();
         let tangent = 4.0 / 3.0 * case.model().material.hardening.at(strain).slope;
         assert_relative_eq!(1.0 - free / bent, tangent * (1.0 - 0.09) / 206e3, max_relative = 0.15);
     }
