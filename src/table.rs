@@ -4,6 +4,7 @@ mod csv;
 
 pub use crate::units::Unit;
 pub use csv::{Csv, CsvError, Record};
+use std::borrow::Cow;
 
 use crate::model::{Extent, Geometry};
 
@@ -14,9 +15,9 @@ pub const JOULES: f64 = 1e-3;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Column {
     /// Name in file headers and JSON, without the unit: `punch_force`.
-    pub key: &'static str,
+    pub key: Cow<'static, str>,
     /// Name on axes and in legends: `Punch force`.
-    pub label: &'static str,
+    pub label: Cow<'static, str>,
     /// Unit of the values.
     pub unit: Unit,
     /// The numbers, one a row; NaN or infinite where there is none, which is written as an empty cell.
@@ -25,13 +26,15 @@ pub struct Column {
 
 impl Column {
     /// A column of values in `unit`.
-    pub fn new(key: &'static str, label: &'static str, unit: Unit, values: Vec<f64>) -> Self {
-        Self { key, label, unit, values }
+    pub fn new(
+        key: impl Into<Cow<'static, str>>, label: impl Into<Cow<'static, str>>, unit: Unit, values: Vec<f64>,
+    ) -> Self {
+        Self { key: key.into(), label: label.into(), unit, values }
     }
 
     /// Key and unit as in a CSV header: `punch_force_N`.
     pub fn header(&self) -> String {
-        self.unit.keyed(self.key)
+        self.unit.keyed(&self.key)
     }
 }
 

@@ -147,6 +147,7 @@ fn numbers(case: &Case, stages: &[StageSolution], is_torn: bool) -> Vec<Quantity
         stages.first().and_then(holder),
         stages.first().and_then(pad),
         stages.last().and_then(stripping),
+        stages.first().and_then(further),
         Some(blank(case.model())),
         stages.last().and_then(opening_angle),
         stages.last().filter(|_| !is_torn).and_then(height),
@@ -237,6 +238,16 @@ fn pad(stage: &StageSolution) -> Option<Quantity> {
     let unit = stage.model.tool(Role::Pad).map(|_| stage.model.extent().force_unit())?;
     let force = Amount::force(super::largest(stage, |step| step.pad_force), unit);
     Some(Quantity::new("pad_force", "Pad", force.to(Digits::Significant(3))).at("at its largest, against the punch"))
+}
+
+/// Largest force of each further tool.
+fn further(stage: &StageSolution) -> Option<Quantity> {
+    let amount = |force: f64| Amount::force(force, stage.model.extent().force_unit()).to(Digits::Significant(3));
+    let mut all = stage.further_forces().map(|(name, forces)| (name, amount(forces.into_iter().fold(0.0, f64::max))));
+    let (name, first) = all.next()?;
+    let about =
+        joined(std::iter::once(name.to_owned()).chain(all.map(|(name, force)| format!("{name} {force}"))), "; ");
+    Some(Quantity::new("further_force", "Further tool", first).at(format!("{about}; at its largest")))
 }
 
 fn holder(stage: &StageSolution) -> Option<Quantity> {

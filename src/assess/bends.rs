@@ -11,7 +11,7 @@ pub(super) fn tool_radius(model: &Model, tool: &Tool) -> Option<Finding> {
         Theory::Bending => "beyond thin-shell theory",
         Theory::Membrane => "bending, which membrane theory leaves out, matters there",
     };
-    let text = format!("the {}'s radius of {} is {{}}: {why}", tool.role.name(), Amount::size(smallest.radius));
+    let text = format!("the {}'s radius of {} is {{}}: {why}", model.name_of(tool.role), Amount::size(smallest.radius));
     let ratio = Amount::thicknesses(smallest.radius / model.blank.thickness);
     Finding::warning("tool_radius", "Tool radius", text).number(ratio).at_least(THIN, None).if_beyond()
 }
@@ -25,7 +25,7 @@ pub(super) fn sharp_corner(model: &Model, tool: &Tool) -> Option<Finding> {
     let text = format!(
         "the {}'s profile has a sharp corner, radius 0, of {{}} at r = {r}, z = {z} (as placed, z = 0 is the flat sheet's \
          middle){others}: no sheet can follow it",
-        tool.role.name()
+        model.name_of(tool.role)
     );
     let turn = Amount::angle(first.turn.abs().to_degrees()).to(Digits::Given(1));
     let warning = Finding::warning("sharp_corner", "Sharp corner", text).number(turn);
@@ -41,8 +41,8 @@ fn reaches(model: &Model, tool: &Tool, at: Point) -> bool {
             let top = tool.profile.extreme(true, model.blank.ends()).map_or(0.0, |top| top.y);
             within_blank && at.y > top - model.travel
         }
-        Role::Die | Role::Pad => within_blank,
         // The sheet goes up and away from a holder's inner edge.
         Role::Holder => within_blank && at.x > extent(tool).0 + model.blank.thickness,
+        _ => within_blank,
     }
 }

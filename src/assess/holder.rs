@@ -91,7 +91,7 @@ pub(super) fn lost(stage: &StageSolution) -> Option<Finding> {
         return None;
     }
     let mut tools = stage.model.tools.iter().zip(&stage.left_at);
-    let (tool, travel) = tools.find_map(|(tool, left)| Some((tool.role.name(), (*left)?)))?;
+    let (tool, travel) = tools.find_map(|(tool, left)| Some((stage.model.name_of(tool.role), (*left)?)))?;
     let text = format!("the sheet left the {tool} at {{}} of travel; it stands still from there on");
     let warning = Finding::warning("holder_lost", "Holder", text).number(Amount::place(travel));
     Some(warning.at_least(stage.model.travel, None))

@@ -17,14 +17,19 @@ pub(super) struct Load<'a> {
     stage: usize,
     on: &'a StageSolution,
     step: &'a StepRecord,
+    /// Forces of all tools.
+    forces: &'a [f64],
 }
 
 impl<'a> Load<'a> {
     /// Largest over all stages, of forces over what the press permits at their travel; `None` if no punch presses.
     pub fn largest(stages: &'a [StageSolution], press: &Press) -> Option<Self> {
-        let steps = formed(stages).flat_map(|(stage, on)| on.steps.iter().map(move |step| Self { stage, on, step }));
+        let steps = formed(stages).flat_map(|(stage, on)| {
+            let steps = on.steps.iter().zip(&on.tool_forces);
+            steps.map(move |(step, forces)| Self { stage, on, step, forces })
+        });
         let share = |load: &Self| load.force() / press.permitted(load.left()).unwrap_or(1.0);
-        steps.filter(|load| load.step.punch_force > 0.0).max_by(|a, b| share(a).total_cmp(&share(b)))
+        steps.filter(|load| load.driven() > 0.0).max_by(|a, b| share(a).total_cmp(&share(b)))
     }
 
     /// Travel left \[mm\].
@@ -39,9 +44,17 @@ impl<'a> Load<'a> {
         if is_pressed { self.step.holder_force + self.step.block_force } else { 0.0 }
     }
 
-    /// Force of punch and holder at the same instant \[N, or N/mm\].
+    /// Force of the punch and of further tools that move up with it or by a path \[N, or N/mm\].
+    fn driven(&self) -> f64 {
+        let moves = |tool: &Tool| matches!(tool.motion, Motion::Travel | Motion::Course(_) | Motion::Path(_));
+        let tools = self.on.model.tools.iter().zip(self.forces);
+        let further = tools.filter(|(tool, _)| matches!(tool.role, Role::Lower(_)) && moves(tool));
+        self.step.punch_force + further.map(|(_, force)| force).sum::<f64>()
+    }
+
+    /// Force of these and of the holder at the same instant \[N, or N/mm\].
     pub fn force(&self) -> f64 {
-        self.step.punch_force + self.holder()
+        self.driven() + self.holder()
     }
 
     /// Least rating of a press for it and its error bar, rounded up: `67 kN (6.8 t)`.
@@ -73,7 +86,7 @@ pub(super) fn force(run: &Run) -> Option<Finding> {
     let at = format!("{{}}{} at {} of travel", per_depth(amount(0.0)), Amount::place(load.step.travel));
     let parts = match load.holder() {
         0.0 => String::new(),
-        holder => format!("punch {}, holder {}", amount(load.step.punch_force), amount(holder)),
+        holder => format!("punch {}, holder {}", amount(load.driven()), amount(holder)),
     };
     let angle = press.drive.as_ref().map_or_else(String::new, |drive| {
         format!(", {} before the bottom dead centre", Amount::angle(drive.degrees(load.left())))

@@ -126,7 +126,7 @@ pub(super) fn mesh(model: &Model) -> Option<Finding> {
     let elements = (model.blank.elements as f64 * advised / fit.per_quarter).ceil() as usize;
     let text = format!(
         "{{}} elements per 90° at the {}'s radius of {}: the load will oscillate as nodes pass it",
-        fit.role.name(),
+        model.name_of(fit.role),
         Amount::size(fit.radius)
     );
     let warning = Finding::warning("mesh", "Mesh", text).number(Amount::norm(fit.per_quarter)).at_least(least, None);

@@ -17,12 +17,12 @@ const IRONED: f64 = 0.01;
 /// Reduction of the thickness up to which a draw sizes its wall, declared: less than half of [`IRONING_LIMIT`] \[–\].
 const LIGHTLY: f64 = 0.15;
 
-pub(super) fn dry_friction(_: &Model, tool: &Tool) -> Option<Finding> {
+pub(super) fn dry_friction(model: &Model, tool: &Tool) -> Option<Finding> {
     let (friction, dry) = (tool.friction.largest_coefficient(), DRY);
     if matches!(tool.friction, Friction::Tresca(_)) {
         return None;
     }
-    let text = format!("the {}'s friction of {{}} is above that of dry steel, {dry}", tool.role.name());
+    let text = format!("the {}'s friction of {{}} is above that of dry steel, {dry}", model.name_of(tool.role));
     Finding::warning("dry_friction", "Friction", text).number(Amount::number(friction)).at_most(dry, None).if_beyond()
 }
 

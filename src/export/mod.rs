@@ -25,8 +25,8 @@ use crate::solver::solution::{Frame, StageSolution};
 use crate::units::{joined, trimmed};
 use std::path::Path;
 
-/// Colours of punch, die, holder and pad, in CAD and on a page.
-const COLORS: [(u8, &str); 4] = [(1, "#d00000"), (5, "#0000d0"), (3, "#009000"), (6, "#a000a0")];
+/// Colours of punch, die, holder, pad and further tools, in CAD and on a page.
+const COLORS: [(u8, &str); 5] = [(1, "#d00000"), (5, "#0000d0"), (3, "#009000"), (6, "#a000a0"), (2, "#808000")];
 /// Reach of endless walls beyond the sheet, over its size, and of the axis beyond the drawing, over its height \[–\].
 const MARGIN: f64 = 0.2;
 const BEYOND: f64 = 0.05;
@@ -122,8 +122,9 @@ impl Drawing {
         let around = passed.fold(flat, Bounds::with);
         let profile = tool.profile.cut_to([around.low, around.high], MARGIN * (around.high - around.low).max());
         let profile = profile.shifted(frames().last().map_or(0.0, up));
-        let name = format!("{prefix}{}", tool.role.name().to_uppercase());
-        self.layers.push(Layer::of_pieces(name, COLORS[tool.role as usize], profile.pieces().to_vec()));
+        let color = COLORS[tool.role.index().min(COLORS.len() - 1)];
+        let name = format!("{prefix}{}", stage.model.name_of(tool.role).to_uppercase());
+        self.layers.push(Layer::of_pieces(name, color, profile.pieces().to_vec()));
     }
 
     fn trim(&mut self, prefix: &str, r: f64, solved: Option<&StageSolution>) {

@@ -204,7 +204,7 @@ fn of_piece(geometry: Geometry, tool: &Tool, piece: usize, at: Point) -> Band {
             Role::Punch => nose(geometry, profile, at),
             Role::Die => Band::DieRadius,
             Role::Holder => Band::HolderRadius,
-            Role::Pad => Band::Bottom,
+            _ => Band::Bottom,
         },
         Piece::Arc(_) if role == Role::Die => Band::DieCorner,
         piece => {
@@ -213,7 +213,7 @@ fn of_piece(geometry: Geometry, tool: &Tool, piece: usize, at: Point) -> Band {
             let edge = || profile.corners().map(|corner| corner.center.x).fold(f64::INFINITY, f64::min);
             match role {
                 _ if !is_level => Band::Wall,
-                Role::Punch | Role::Pad => Band::Bottom,
+                Role::Punch | Role::Pad | Role::Upper(_) | Role::Lower(_) => Band::Bottom,
                 Role::Die if at.x < edge() && edge().is_finite() => Band::Bottom,
                 Role::Die | Role::Holder => Band::Flange,
             }

@@ -96,7 +96,7 @@ pub fn events(stage: &StageSolution) -> Vec<Event> {
     };
     let is_flat = stage.model.blank.meridian.is_none();
     if is_flat && stage.model.blank.edge == Edge::Free {
-        let gap = |step: &StepRecord| step.edge_gap[Role::Die as usize];
+        let gap = |step: &StepRecord| step.edge_gap[Role::Die.index()];
         let near = |step: &StepRecord| gap(step) < OFF * stage.model.blank.thickness;
         // A rim off the die is on neither its shoulder nor in its throat, however steep the nearest place is.
         let first = steps.iter().find(|step| near(step)).map_or(0.0, |step| step.die_slope);
@@ -107,7 +107,7 @@ pub fn events(stage: &StageSolution) -> Vec<Event> {
         at(EventKind::RimInThroat, on_shoulder.and_then(|k| steps[k..].iter().find(|step| steeper(step, UPRIGHT))));
     }
     for role in Role::ALL.into_iter().filter(|_| is_flat) {
-        at(EventKind::BottomMeets(role), comes(stage, |step| step.middle_gap[role as usize]));
+        at(EventKind::BottomMeets(role), comes(stage, |step| step.middle_gap[role.index()]));
     }
     if stage.model.tools.iter().any(|tool| matches!(tool.motion, Motion::Pressed(_))) {
         at(EventKind::HolderOnBlocks, steps.iter().find(|step| rests_on_blocks(step)));

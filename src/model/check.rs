@@ -182,16 +182,20 @@ impl Model {
             match motion {
                 Motion::Fixed | Motion::Travel => {}
                 Motion::Path(way) => number(&path, way.y, FINITE).and(number(&path, way.x, FINITE))?,
+                Motion::Course(course) => {
+                    curve(&path, course, FINITE)?;
+                    agree(&path, course.at(0.0), "its begin", 0.0)?;
+                }
                 Motion::Gap(gap) => number(&path, *gap, POSITIVE)?,
                 Motion::Pressed(press) => {
                     curve(&path, &press.force, NOT_NEGATIVE).and(number(&path, press.stiffness, NOT_NEGATIVE))?;
                 }
             }
             if matches!(motion, Motion::Pressed(_) | Motion::Gap(_)) {
-                let [holder, pad] = [Role::Holder, Role::Pad].map(|pressed| *role == pressed);
-                needs(name, holder || pad && !matches!(motion, Motion::Gap(_)), "the role of a holder or a pad")?;
-                needs("holder", pad || self.tool(Role::Die).is_some(), "die")?;
-                needs("pad", holder || self.tool(Role::Punch).is_some(), "punch")?;
+                let pressed = role.further().is_some() || *role == Role::Pad && !matches!(motion, Motion::Gap(_));
+                needs(name, pressed || *role == Role::Holder, "the role of a holder or a pad")?;
+                needs("holder", *role != Role::Holder || self.tool(Role::Die).is_some(), "die")?;
+                needs("pad", *role != Role::Pad || self.tool(Role::Punch).is_some(), "punch")?;
             }
         }
         Ok(())

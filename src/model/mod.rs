@@ -49,6 +49,8 @@ pub struct Model {
     pub material: Material,
     /// Tools, at most one of each role.
     pub tools: Vec<Tool>,
+    /// Names of the further tools, by their numbers.
+    pub further: Vec<String>,
     /// Line restraints across the flange.
     pub beads: Vec<Bead>,
     /// Gas, at most one on each face.
@@ -97,6 +99,7 @@ impl Model {
             blank,
             material,
             tools,
+            further: Vec::new(),
             beads: Vec::new(),
             gas: Vec::new(),
             heat: None,
@@ -117,6 +120,11 @@ impl Model {
     /// Extent of the part that forces and work refer to.
     pub fn extent(&self) -> Extent {
         Extent::of(self.geometry, self.depth)
+    }
+
+    /// Name of a tool.
+    pub fn name_of(&self, role: Role) -> &str {
+        role.further().and_then(|number| self.further.get(number)).map_or(role.name(), String::as_str)
     }
 
     /// Tool of a role.

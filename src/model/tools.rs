@@ -29,20 +29,42 @@ pub enum Role {
     Holder,
     /// Above the sheet, holds its bottom against the punch.
     Pad,
+    /// Further tool above the sheet, by its number among all further ones.
+    #[serde(skip)]
+    Upper(u8),
+    /// Further tool below the sheet.
+    #[serde(skip)]
+    Lower(u8),
 }
 
 impl Role {
-    /// All tools, in the order of tables.
+    /// The common tools, in the order of tables.
     pub const ALL: [Role; 4] = [Role::Punch, Role::Die, Role::Holder, Role::Pad];
 
-    /// Name in tables, plots and case files.
+    /// Name in tables, plots and case files; a further tool has [its own](super::Model::name_of).
     pub fn name(self) -> &'static str {
-        ["punch", "die", "holder", "pad"][self as usize]
+        ["punch", "die", "holder", "pad", "further tool"][self.index().min(Self::ALL.len())]
+    }
+
+    /// Place in the order of tables; further tools come after the common ones.
+    pub fn index(self) -> usize {
+        match self {
+            Self::Punch => 0,
+            Self::Die => 1,
+            Self::Holder => 2,
+            Self::Pad => 3,
+            Self::Upper(number) | Self::Lower(number) => Self::ALL.len() + usize::from(number),
+        }
+    }
+
+    /// Number of a further tool.
+    pub fn further(self) -> Option<usize> {
+        self.index().checked_sub(Self::ALL.len())
     }
 
     /// Side of the sheet on which it lies: 1 above, −1 below.
     pub fn side(self) -> f64 {
-        if matches!(self, Role::Die | Role::Pad) { 1.0 } else { -1.0 }
+        if matches!(self, Role::Die | Role::Pad | Role::Upper(_)) { 1.0 } else { -1.0 }
     }
 }
 
@@ -53,6 +75,8 @@ pub enum Motion {
     Fixed,
     /// Moves along z with the travel.
     Travel,
+    /// Displaced along z by this curve over the punch travel \[mm over mm\], which begins at 0.
+    Course(PiecewiseLinear),
     /// Displaced by this vector over the run \[mm\], in proportion to its travel, or to time without travel.
     Path(Point),
     /// Stands still at this distance from the die's face \[mm\]: a holder on distance blocks.

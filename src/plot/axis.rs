@@ -96,7 +96,7 @@ impl Axis {
 impl Column {
     /// Label and unit: `Punch force [N]`.
     pub fn axis(&self) -> Axis {
-        Axis::named(self.label, self.unit)
+        Axis::named(self.label.clone(), self.unit)
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::measure;
+use crate::plot::axis::capitalised;
 use crate::plot::fields::step::{EDGE_FORCE, HOLDER_FORCE, PAD_FORCE, POLE_HEIGHT, PRESSURE, PUNCH_FORCE, TRAVEL};
 
 /// Largest press rating that is drawn, over the largest force: a larger one would flatten the curve.
@@ -53,11 +54,17 @@ pub(super) fn panel(view: &StageView, height: f64) -> Option<Panel> {
         let acts = |field: &Field<StepRecord>| steps.iter().any(|step| (field.value)(step) != 0.0);
         let others = [HOLDER_FORCE, PAD_FORCE, EDGE_FORCE].into_iter().filter(acts);
         let fields: Vec<_> = std::iter::once(PUNCH_FORCE).chain(others).collect();
-        let y = if fields.len() > 1 { Axis::named("Force", extent.force_unit()) } else { PUNCH_FORCE.axis(extent) };
+        let several = fields.len() > 1 || !view.model().further.is_empty();
+        let y = if several { Axis::named("Force", extent.force_unit()) } else { PUNCH_FORCE.axis(extent) };
         (TRAVEL, y, fields)
     };
     let curve = |(i, field): (usize, &Field<StepRecord>)| {
         Series::new(field.label(extent), over.against(field, steps), Style::curve(i))
     };
-    Some(Panel::fit(over.axis(extent), y, height, 0.0).with(fields.iter().enumerate().map(curve)))
+    let further = view.stage.further_forces().enumerate().map(|(i, (name, forces))| {
+        let points = steps.iter().map(over.value).zip(forces).collect();
+        Series::new(capitalised(name), points, Style::curve(fields.len() + i))
+    });
+    let panel = Panel::fit(over.axis(extent), y, height, 0.0).with(further);
+    Some(panel.with(fields.iter().enumerate().map(curve)))
 }

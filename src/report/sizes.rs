@@ -45,6 +45,7 @@ pub fn dimensions(model: &Model, start: Option<&Frame>) -> Vec<Dimension> {
             }
             Role::Holder => found.push(across("Holder inner", extent(tool).0)),
             Role::Pad => found.push(across("Pad", extent(tool).1)),
+            Role::Upper(_) | Role::Lower(_) => {}
         }
         found.extend(roundings(tool, moved));
         found.extend(load(model, tool, moved));
@@ -118,10 +119,10 @@ fn load(model: &Model, tool: &Tool, moved: Point) -> Option<Dimension> {
     let (of, amount) = match &tool.motion {
         Motion::Gap(gap) => ("Holder gap", Amount::drawn(*gap)),
         Motion::Pressed(press) => {
-            let of = if tool.role == Role::Pad { "Pad force" } else { "Holder force" };
+            let of = ["Punch force", "Die force", "Holder force", "Pad force", "Tool force"][tool.role.index().min(4)];
             (of, Amount::given_force(press.force.largest(), model.extent().force_unit()))
         }
-        Motion::Fixed | Motion::Travel | Motion::Path(_) => return None,
+        Motion::Fixed | Motion::Travel | Motion::Path(_) | Motion::Course(_) => return None,
     };
     Some(plain(of, amount, Point::new(middle, 0.5 * tool.role.side() * model.blank.thickness) + moved))
 }

@@ -5,6 +5,7 @@ use super::csv::{csv_with_texts, number, records};
 use crate::forming_limit::Curve;
 use crate::measure::{self, Change, Shape};
 use crate::model::{Extent, Geometry, Model, PressureCap, Role};
+use crate::plot::axis::capitalised;
 use crate::plot::fields::{element::*, step::*};
 use crate::plot::pressure_cycle::{CONTACT_SHARE, HEIGHT, PRESSURE as GAS_PRESSURE, STRAIN_RATE};
 use crate::plot::residual_stress::{PLACE, released};
@@ -50,6 +51,7 @@ const STEP: [Field<StepRecord>; 33] = [
     Field::new("residual_norm", "Relative residual", Unit::None, |s| s.residual_norm),
 ];
 const VOIDS: Field<StepRecord> = Field::new("porosity", "Largest porosity", Unit::None, |s| s.porosity);
+const HOLE: Field<StepRecord> = Field::new("hole_diameter", "Clear diameter of the hole", Unit::Mm, |s| s.hole);
 const LARGEST_DAMAGE: Field<StepRecord> = Field::new("damage", "Largest damage", Unit::None, |s| s.damage);
 const HEAT: [Field<StepRecord>; 5] = [
     Field::new("coldest", "Lowest temperature", Unit::Celsius, |s| s.coldest - ZERO_CELSIUS),
@@ -91,9 +93,15 @@ pub fn load_travel(stage: &StageSolution) -> Table {
     let (model, extent) = (&stage.model, stage.model.extent());
     let damage = model.material.fracture.map(|_| &LARGEST_DAMAGE);
     let heat = model.heat.iter().flat_map(|_| &HEAT);
-    let pad = model.tool(Role::Pad).map(|_| &PAD_FORCE);
-    let fields = STEP.iter().chain(model.material.gtn.map(|_| &VOIDS)).chain(damage).chain(heat).chain(pad);
+    let voids = model.material.gtn.map(|_| &VOIDS);
+    let others = [model.tool(Role::Pad).map(|_| &PAD_FORCE), model.blank.has_hole().then_some(&HOLE)];
+    let fields = STEP.iter().chain(voids).chain(damage).chain(heat).chain(others.into_iter().flatten());
     let mut columns: Vec<Column> = fields.map(|field| field.column(extent, &stage.steps)).collect();
+    let die = stage.die_force().map(|force| ("die", force));
+    columns.extend(die.into_iter().chain(stage.further_forces()).map(|(name, values)| {
+        let key = name.to_lowercase().replace(|c: char| !c.is_alphanumeric(), "_");
+        Column::new(format!("{key}_force"), format!("{} force", capitalised(name)), extent.force_unit(), values)
+    }));
     columns.insert(7, edge_diameter(model.geometry, model.blank.edge_radius(), &stage.steps));
     Table::new(columns)
 }

@@ -173,7 +173,7 @@ fn symptoms(step: &Step, evaluation: &Evaluation, i: usize, steps: &[StepRecord]
         (8 * last.contact_changes > evaluation.nodes.len())
             .then(|| format!("{} contacts came or went in the last step", last.contact_changes)),
         at_edge.then(|| "the worst place is the blank's edge".to_owned()),
-        touching.map(|(_, tool)| format!("the {} touches the sheet at the worst place", tool.role.name())),
+        touching.map(|(_, tool)| format!("the {} touches the sheet at the worst place", model.name_of(tool.role))),
     ];
     joined(symptoms.into_iter().flatten(), ", ")
 }

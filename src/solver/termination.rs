@@ -182,7 +182,7 @@ fn localised(model: &Model, state: &State, neck: &Neck) -> Stop {
     let i = state.s0.partition_point(|&s| s < neck.s0).min(state.nodes.len() - 1);
     let closest = (0..model.tools.len()).map(|j| (model.tools[j].role, state.gap(model, j, i)));
     let place = match closest.min_by(|a, b| a.1.total_cmp(&b.1)) {
-        Some((role, distance)) if distance < 0.5 * model.blank.thickness => format!("on the {}", role.name()),
+        Some((role, distance)) if distance < 0.5 * model.blank.thickness => format!("on the {}", model.name_of(role)),
         _ => "where no tool supports it".into(),
     };
     let ([travel, s0], left) = ([state.travel, neck.s0].map(Amount::place), Amount::share(neck.share));
@@ -201,9 +201,10 @@ fn closed(model: &Model, state: &State) -> Option<(f64, Point)> {
     // Without the waiting gap.
     let moved = |k: usize, travel: f64| {
         let tool = &model.tools[k];
-        let way = match tool.motion {
+        let way = match &tool.motion {
             Motion::Travel => Point::new(0.0, travel),
-            Motion::Path(way) => way * (travel / model.travel),
+            Motion::Course(course) => Point::new(0.0, course.at(travel)),
+            Motion::Path(way) => *way * (travel / model.travel),
             _ => Point::zeros(),
         };
         state.tools[k] - Point::new(0.0, waiting_displacement(model, tool)) + way

@@ -83,6 +83,7 @@ impl Trial {
             let moved = match tool.motion {
                 Motion::Fixed | Motion::Gap(_) => Point::zeros(),
                 Motion::Travel => Point::new(0.0, step.travel() - state.travel),
+                Motion::Course(ref course) => Point::new(0.0, course.at(step.travel()) - course.at(state.travel)),
                 Motion::Path(way) => way * (model.progress(step.end()) - model.progress(state.time)),
                 // What the sheet has left stands still.
                 Motion::Pressed(_) if tool.released.is_some() => Point::zeros(),

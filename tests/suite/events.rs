@@ -52,7 +52,7 @@ fn a_rim_in_the_air_runs_onto_no_shoulder() {
     assert!(redrawn.contains("[stages.holder]"));
     let text = format!("{drawn}[stages.die]\nthroat = \"32 mm\"\nshoulder = \"15 mm\"\nfriction = 0.08\n");
     let stages = parsed(&text, &["stages.0.punch.move=40 mm"]).solve(&mut ()).stages;
-    assert!(stages[1].stop.is_complete() && stages[1].steps.last().unwrap().edge_gap[Role::Die as usize] > 3.0);
+    assert!(stages[1].stop.is_complete() && stages[1].steps.last().unwrap().edge_gap[Role::Die.index()] > 3.0);
     assert!(!kinds(&events(&stages[1])).contains(&EventKind::RimOnShoulder));
 }
 

@@ -1,4 +1,4 @@
-//! Tools as free bodies: what they do to the sheet is in balance.
+//! Tools as free bodies: what they do to the sheet is in balance, and what presses them is what they press with.
 
 use crate::common::prelude::*;
 
@@ -19,11 +19,43 @@ fn the_tools_of_every_stage_hold_the_sheet_in_balance() {
             }
             let largest = stage.tool_forces.iter().flatten().map(|force| force.abs()).fold(0.0, f64::max);
             for (step, forces) in stage.steps.iter().zip(&stage.tool_forces) {
-                let (sum, at) = (forces.iter().sum::<f64>(), (&model.title, i, step.travel));
+                let sum: f64 = forces.iter().sum();
+                let at = (&model.title, i, step.travel);
                 assert!(sum.abs() <= 1e-3 * largest, "{at:?}: {sum} of {largest}");
                 judged += 1;
             }
         }
     }
     assert!(judged > 1500, "{judged}");
+}
+
+/// Trust: a pad by another name is the same tool; a gas spring presses with F + (F_end − F) w/stroke after it was pushed back by w;
+/// a tool with a path is where the path has it, to the gap at which tools wait.
+#[test]
+fn further_tools_have_drives_of_their_own() {
+    const FLAT: &str = "profile = [{ from = [\"12 mm\", \"0 mm\"] }, { to = [\"0 mm\", \"0 mm\"] }]\nfriction = 0.1";
+    let bend = made("u-bend", &[("pad-pressure", "1 MPa")], &[]);
+    let (before, pad) = bend.text.split_once("[tools.pad]").expect("a pad");
+    let after = pad.split_once("\n[").map_or("", |(_, rest)| rest);
+    let after = if after.is_empty() { String::new() } else { format!("\n[{after}") };
+    let other = |drive: &str| {
+        let tool = format!("[[tools.further]]\nname = \"ejector\"\nabove = true\n{FLAT}\n{drive}\n");
+        parsed(&format!("{before}{tool}{after}"), &[]).solve(&mut ()).stages.remove(0)
+    };
+    let pressed = |stage: &StageSolution| stage.further_forces().next().expect("a tool").1;
+    let constant = other("force = \"28 N/mm\"");
+    pressed(&constant).iter().for_each(|force| assert_relative_eq!(*force, 28.0, max_relative = 1e-3));
+    let flat = last(&constant).pole_height - last(&constant).travel;
+    assert!(flat.abs() < 0.05, "{flat}");
+    let gas = other("gas_spring = { force = \"20 N/mm\", end_force = \"30 N/mm\", stroke = \"40 mm\" }");
+    let end = gas.frames.last().expect("a frame");
+    let j = gas.model.tools.len() - 1;
+    let moved = end.tool_displacement[j].y;
+    assert_relative_eq!(*pressed(&gas).last().expect("steps"), 20.0 + 0.25 * moved, max_relative = 1e-3);
+    let led = other("gap = \"9 mm\"\npath = [[\"0 mm\", \"0 mm\"], [\"5 mm\", \"5 mm\"], [\"10 mm\", \"30 mm\"]]");
+    let z = |frame: &Frame| frame.tool_displacement[j].y;
+    let travel = led.frames.last().expect("a frame").travel;
+    let wanted = if travel < 5.0 { travel } else { (5.0 + 5.0 * (travel - 5.0)).min(30.0) };
+    assert_relative_eq!(z(led.frames.last().expect("a frame")), wanted, max_relative = 1e-3);
+    assert!(pressed(&led).iter().all(|force| force.abs() < 1e-9), "it stays ahead of the sheet");
 }

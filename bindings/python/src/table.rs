@@ -7,9 +7,10 @@ use serde::Serialize;
 use stampflow::Table;
 use stampflow::plot::{Chart, svg};
 use stampflow::table::{Column as NamedColumn, Unit};
+use std::borrow::Cow;
 
 /// Header with its unit, label, printed unit, and values.
-pub type Column<'py> = (String, &'static str, &'static str, Bound<'py, PyArray1<f64>>);
+pub type Column<'py> = (String, Cow<'static, str>, &'static str, Bound<'py, PyArray1<f64>>);
 
 /// Column of a quantity of records.
 pub fn field<R>(

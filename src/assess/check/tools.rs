@@ -33,10 +33,10 @@ fn of_tool(model: &Model, tool: &Tool) -> Line {
     let (low, high) = extent(tool);
     let closed = tool.role == Role::Die && throat(tool).is_none();
     let (size, of) = match tool.role {
-        Role::Punch | Role::Pad => (size_of(model, high, Amount::drawn), "to the wall"),
         Role::Die if closed => ("closed".into(), "by a bottom that reaches the axis"),
         Role::Die => (size_of(model, low, Amount::drawn), "of the throat"),
         Role::Holder => (size_of(model, low, Amount::drawn), "of the inner edge"),
+        _ => (size_of(model, high, Amount::drawn), "to the wall"),
     };
     let of = if model.geometry == Geometry::PlaneStrain && !closed { format!("half-width {of}") } else { of.into() };
     let widens = tool.role == Role::Punch && widens(tool, model.travel);
@@ -47,7 +47,7 @@ fn of_tool(model: &Model, tool: &Tool) -> Line {
         law => format!("friction {law}"),
     };
     let meaning = joined([of, mouth, opening(tool), corners(tool, model.blank.thickness), friction], ", ");
-    line(tool.role.name(), size, meaning)
+    line(model.name_of(tool.role), size, meaning)
 }
 
 fn opening(tool: &Tool) -> String {
@@ -150,7 +150,7 @@ pub(super) fn stage(n: usize, stage: &Stage) -> Line {
     does.extend(begin.turn_over.then(|| "turned over".into()));
     does.extend(begin.anneal.then(|| "annealed".into()));
     for tool in &model.tools {
-        let name = tool.role.name();
+        let name = model.name_of(tool.role);
         let name = if begin.meets.contains(&tool.role) { format!("new {name}") } else { name.into() };
         does.push(match &tool.motion {
             Motion::Path(by) if by.x == 0.0 => format!("{name} goes {}{most}", Amount::size(by.y)),
@@ -159,7 +159,7 @@ pub(super) fn stage(n: usize, stage: &Stage) -> Line {
                 let force = Amount::given_force(press.force.at(model.travel), model.extent().force_unit());
                 format!("{name} presses with {force} at the end")
             }
-            Motion::Fixed | Motion::Gap(_) | Motion::Travel => format!("{name} stands"),
+            Motion::Fixed | Motion::Gap(_) | Motion::Travel | Motion::Course(_) => format!("{name} stands"),
         });
     }
     does.extend(model.release.map(|_| "tools taken away".into()));

@@ -78,14 +78,16 @@ impl Pad {
     }
 }
 
-type Force = History<NonNegative<Length>, HolderForce>;
+pub type Force = History<NonNegative<Length>, HolderForce>;
 
-fn force_curve(path: &str, force: Option<&Force>, extent: Extent, source: &Source) -> Result<Option<PiecewiseLinear>> {
+pub fn force_curve(
+    path: &str, force: Option<&Force>, extent: Extent, source: &Source,
+) -> Result<Option<PiecewiseLinear>> {
     let value = |force: HolderForce, path: &str| force.in_extent(path, extent, source);
     force.map(|force| force.curve(path, "travels", source, value)).transpose()
 }
 
-fn pressed(
+pub fn pressed(
     table: &str, spring: Option<Spring>, force: Option<PiecewiseLinear>, extent: Extent, source: &Source,
 ) -> Result<Motion> {
     let press = match spring {
@@ -181,30 +183,35 @@ impl<'a> Frictions<'a> {
     }
 
     pub fn add(&mut self, tool: &ToolKeys) {
-        let own = &mut self.tools[tool.role as usize];
+        let own = &mut self.tools[tool.role.index()];
         *own = tool.friction.or(*own);
     }
 
     /// Law of a tool: its own, that of its side, or, for a holder, the die's.
     pub fn law(&self, role: Role, source: &Source) -> Result<model::Friction> {
+        let name = role.name();
+        self.law_of(self.tools[role.index()], role, (name, &format!("tools.{name}")), source)
+    }
+
+    /// Law of a tool with its `own` friction, by its name and table.
+    pub fn law_of(
+        &self, own: Option<Friction>, role: Role, (name, table): (&str, &str), source: &Source,
+    ) -> Result<model::Friction> {
         let law = |law: Friction, path: &str| match law {
             Friction::Coefficient(coefficient) => Ok(coefficient.value().into()),
             Friction::Law(table) => only(model::Friction::named(table), None, path, source),
         };
-        let tool = role.name();
-        if let Some(own) = self.tools[role as usize] {
-            return law(own, &format!("tools.{tool}.friction"));
+        if let Some(own) = own {
+            return law(own, &format!("{table}.friction"));
         }
-        let (side, path) = match role {
-            Role::Punch | Role::Holder => (self.sides.punch_side, "friction.punch_side"),
-            Role::Die | Role::Pad => (self.sides.die_side, "friction.die_side"),
-        };
+        let below = (self.sides.punch_side, "friction.punch_side");
+        let (side, path) = if role.side() < 0.0 { below } else { (self.sides.die_side, "friction.die_side") };
         let (law, origin) = match (side, role) {
             (Some(side), _) => (law(side, path)?, "that of its side of the sheet"),
             (None, Role::Holder) => (source.silently(|| self.law(Role::Die, source))?, "the die's"),
-            (None, _) => return Err(source.missing(&format!("tools.{tool}"), "friction")),
+            (None, _) => return Err(source.missing(table, "friction")),
         };
-        source.note(format!("the {tool}'s friction is {origin}, {law}"));
+        source.note(format!("the {name}'s friction is {origin}, {law}"));
         Ok(law)
     }
 }

@@ -8,6 +8,7 @@ mod counter;
 mod drive;
 mod fit;
 mod forming_limit;
+mod further;
 mod judged;
 mod material;
 mod opening;
@@ -127,7 +128,8 @@ impl CaseFile {
         let mode = checked_mode(self.material.mode.unwrap_or_default(), &material, "material.mode", source)?;
         let drive = self.drive(blank.length, source)?;
         let (written, travel) = (&self.tools, drive.travel);
-        let context = ToolContext { written, standing: &[], blank: &blank, extent, travel, source };
+        let further: Vec<String> = written.further.iter().map(|tool| tool.name.clone()).collect();
+        let context = ToolContext { written, standing: &[], further: &further, blank: &blank, extent, travel, source };
         let tools = context.tools(&Frictions::new(self))?;
         // A sheet that is not flat is sealed at its ends, however far it bulges.
         let sealed = if blank.meridian.is_some() { blank.reach() + blank.length } else { blank.length };
@@ -155,6 +157,7 @@ impl CaseFile {
             blank,
             material,
             tools,
+            further,
             beads: Vec::new(),
             gas: gas.unwrap_or_default(),
             heat,

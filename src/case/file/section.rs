@@ -102,14 +102,14 @@ impl Section {
     }
 
     pub fn placed(&self, role: Role, context: &ToolContext) -> Result<Profile> {
-        let (path, source) = (format!("tools.{}.profile", role.name()), context.source);
+        let (path, source) = (format!("{}.profile", context.table(role)), context.source);
         let alone = |kind: &str, others: &[&str]| {
             source.refuse(&path, others, &format!("does not go with `{kind}`"), "drop one of the two")
         };
         let counter = |of| Counter { role, of, path: path.clone(), context };
         let from_file = |file: &str, key: &str, fillet: Option<f64>| {
             let (profile, points) =
-                points::convert(file, key, fillet, (role.name(), context.extent.geometry()), source)?;
+                points::convert(file, key, fillet, (context.name(role), context.extent.geometry()), source)?;
             Ok::<_, CaseError>((profile, Origin::Points(points)))
         };
         let (profile, origin) = match self {
@@ -133,7 +133,7 @@ impl Section {
             }
         };
         let drawn = Drawn { profile, path, origin };
-        drawn.check_folds(role, source)?;
+        drawn.check_folds(context.name(role), source)?;
         drawn.placed(role, context).map(|(profile, _)| profile)
     }
 }
@@ -211,9 +211,8 @@ impl Drawn {
         }
     }
 
-    pub fn check_folds(&self, role: Role, source: &Source) -> Result<()> {
-        let (name, help) =
-            (role.name(), "the section is one open line along the side that meets the sheet, not a closed outline");
+    pub fn check_folds(&self, name: &str, source: &Source) -> Result<()> {
+        let help = "the section is one open line along the side that meets the sheet, not a closed outline";
         let end_name = |piece: usize| match &self.origin {
             Origin::Points(points) => format!("line {}", points.lines[piece + 1]),
             _ => format!("step {}", piece + 1),
@@ -240,7 +239,7 @@ impl Drawn {
         if context.blank.meridian.is_some() {
             return Ok((self.profile, 0.0));
         }
-        let (length, name, source) = (context.blank.length, role.name(), context.source);
+        let (length, name, source) = (context.blank.length, context.name(role), context.source);
         let side = role.side();
         let Some(first) = self.profile.extreme(side < 0.0, context.blank.ends()) else {
             let what = format!("the {name} lies beyond the blank's edge at {length} mm");

@@ -1,6 +1,7 @@
 //! `[stage]` and `[[stages]]`: operations after the first one, each changes the model of the stage before.
 
 use super::drive::{Drive, equally_spaced};
+use super::further::{self, Further};
 use super::tools::{Die, Holder, Pad, Punch, ToolKeys};
 use super::*;
 use crate::model::{Beginning, Press, ReleaseStiffness};
@@ -36,9 +37,12 @@ pub struct Stage {
     holder: Option<Holder>,
     /// Pad, likewise.
     pad: Option<Pad>,
-    /// Tools that are no longer there.
+    /// Further tools that are new, move or have another force.
     #[serde(default)]
-    remove: Vec<Role>,
+    further: Vec<Further>,
+    /// Tools that are no longer there, by their names.
+    #[serde(default)]
+    remove: Vec<String>,
     /// Support of the outer edge.
     edge: Option<Edge>,
     /// Sets equivalent strain and stress back to nothing before the stage.
@@ -101,9 +105,13 @@ pub fn stages(file: &CaseFile, first: Model, source: &Source) -> Result<Vec<mode
         source.require(is_new, &format!("{path}.name"), what, "name them apart: each has its own folder")?;
         source.enter_stage(Some((i, &written.name)));
         let (first, before) = (&stages[0].model, &stages[i].model);
-        let Stage { punch, die, holder, pad, .. } = written.clone();
-        let tools = Tools { punch, die, holder, pad, beads: Vec::new() };
-        written.remove.iter().for_each(|role| frictions.tools[*role as usize] = None);
+        let Stage { punch, die, holder, pad, further, .. } = written.clone();
+        let tools = Tools { punch, die, holder, pad, further, beads: Vec::new() };
+        Role::ALL.into_iter().for_each(|role| {
+            if written.remove.iter().any(|name| name == role.name()) {
+                frictions.tools[role.index()] = None;
+            }
+        });
         tools.keys().for_each(|tool| frictions.add(&tool));
         let (tools, frictions, press) = (&tools, &frictions, press.as_ref());
         stages.push(StageContext { written, tools, frictions, press, before, first, source, path }.stage()?);
@@ -147,10 +155,11 @@ impl StageContext<'_> {
             self.source.note("gas acts in the first stage only");
         }
         let mut model = self.at_rest();
-        for (k, role) in self.written.remove.iter().enumerate() {
-            let what = format!("there is no {} to remove", role.name());
-            self.require(model.tool(*role).is_some(), &format!("remove.{k}"), what, "drop it")?;
-            model.tools.retain(|tool| tool.role != *role);
+        for (k, name) in self.written.remove.iter().enumerate() {
+            let removed = model.tools.iter().position(|tool| model.name_of(tool.role) == name);
+            let what = format!("there is no {name} to remove");
+            self.require(removed.is_some(), &format!("remove.{k}"), what, "drop it")?;
+            removed.map(|at| model.tools.remove(at));
         }
         self.pace(&mut model)?;
         let mut meets = Vec::new();
@@ -158,6 +167,8 @@ impl StageContext<'_> {
             self.tool(&tool, &mut model)?;
             meets.extend(tool.is_shaped.then_some(tool.role));
         }
+        let context = (self.frictions, self.source);
+        meets.extend(further::changed(self.tools, &self.path, context, &mut model)?);
         self.press(&mut model, &mut meets)?;
         self.release(&mut model)?;
         model.blank.edge = self.written.edge.unwrap_or(model.blank.edge);
@@ -198,7 +209,8 @@ impl StageContext<'_> {
 
     fn pace(&self, model: &mut Model) -> Result<()> {
         let moves = self.tools.keys().filter_map(|tool| Some((path_of(&tool)?, tool.role)));
-        let moves = moves.map(|(path, role)| (path.y.hypot(path.x), role));
+        let further = self.written.further.iter().filter_map(|tool| Some((tool.moved?.value().abs(), Role::Punch)));
+        let moves = moves.map(|(path, role)| (path.y.hypot(path.x), role)).chain(further);
         let (travel, furthest) = moves.fold((0.0, Role::Punch), |most, next| if next.0 > most.0 { next } else { most });
         let length = self.first.blank.length;
         let (path, blank) = (rounded(travel), rounded(length));
@@ -241,8 +253,9 @@ impl StageContext<'_> {
         let (extent, length) = (model.extent(), model.blank.length);
         if is_shaped {
             let (travel, written, source) = (model.travel, self.tools, self.source);
-            let (standing, blank) = (&model.tools[..], &model.blank);
-            let profile = ToolContext { written, standing, blank, extent, travel, source }.new_profile(role)?;
+            let (standing, further, blank) = (&model.tools[..], &model.further[..], &model.blank);
+            let profile =
+                ToolContext { written, standing, further, blank, extent, travel, source }.new_profile(role)?;
             let friction = self.frictions.law(role, self.source)?;
             let is_new = self.before.tool(role).is_none_or(|tool| tool.profile != profile);
             let what = format!("the new punch moves away from the sheet by {} mm", rounded(back));
@@ -250,7 +263,7 @@ impl StageContext<'_> {
             self.require(role != Role::Punch || !is_new || back <= 0.0, "punch.move", what, help)?;
             model.tools.retain(|tool| tool.role != role);
             model.tools.push(Tool { role, profile, friction, motion: Motion::Fixed });
-            model.tools.sort_by_key(|tool| tool.role as usize);
+            model.tools.sort_by_key(|tool| tool.role);
         }
         for tool in model.tools.iter_mut().filter(|tool| tool.role == role) {
             if written.friction.is_some() && !is_shaped {

@@ -1,6 +1,7 @@
 //! `[tools]` and the tools of `[[stages]]`: shapes placed where they touch the flat sheet.
 
 use super::contact::{Bead, Friction, Spring};
+use super::further::{Further, further_tools};
 use super::section::Section;
 use super::*;
 use crate::units::Speed;
@@ -21,6 +22,9 @@ pub struct Tools {
     pub holder: Option<Holder>,
     /// Pad above the sheet.
     pub pad: Option<Pad>,
+    /// Tools beside these, each with its name and its drive.
+    #[serde(default)]
+    pub further: Vec<Further>,
     /// Draw beads across the flange, as line restraints.
     #[serde(default)]
     pub beads: Vec<Bead>,
@@ -216,6 +220,8 @@ pub struct ToolContext<'a> {
     pub written: &'a Tools,
     /// Tools that remain from the stage before.
     pub standing: &'a [model::Tool],
+    /// Names of all further tools.
+    pub further: &'a [String],
     pub blank: &'a model::Blank,
     pub extent: Extent,
     /// Punch travel of the whole run \[mm\].
@@ -224,6 +230,17 @@ pub struct ToolContext<'a> {
 }
 
 impl ToolContext<'_> {
+    /// Path of a tool's table.
+    pub fn table(&self, role: Role) -> String {
+        let name = self.name(role);
+        let place = self.written.further.iter().position(|tool| tool.name == name);
+        place.map_or_else(|| format!("tools.{name}"), |place| format!("tools.further.{place}"))
+    }
+
+    pub fn name(&self, role: Role) -> &str {
+        role.further().map_or(role.name(), |number| &self.further[number])
+    }
+
     pub fn keys(&self, role: Role) -> Option<ToolKeys<'_>> {
         self.written.keys().find(|tool| tool.role == role)
     }
@@ -338,6 +355,7 @@ impl ToolContext<'_> {
             };
             tools.push(model::Tool { role, profile, friction: frictions.law(role, source)?, motion });
         }
+        tools.extend(further_tools(frictions, self)?);
         Ok(tools)
     }
 }

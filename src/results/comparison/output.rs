@@ -115,7 +115,7 @@ impl Comparison {
             None => {
                 let values = |value: fn(&Point) -> f64| self.points.iter().map(value).collect();
                 let columns = vec![
-                    Column::new(self.x.key, self.x.label, self.x.unit, values(|p| p.x)),
+                    Column::new(self.x.key.clone(), self.x.label.clone(), self.x.unit, values(|p| p.x)),
                     Column::new("reference", "Reference", unit, values(|p| p.reference)),
                     Column::new("computed", "Computed", unit, values(|p| p.computed.unwrap_or(f64::NAN))),
                 ];

@@ -92,6 +92,23 @@ pub struct StageSolution {
 }
 
 impl StageSolution {
+    /// Names of the further tools, and the force with which each presses on the sheet at each of the steps \[N, or N/mm\].
+    pub fn further_forces(&self) -> impl Iterator<Item = (&str, Vec<f64>)> {
+        let tools = self.model.tools.iter().enumerate().filter(|(_, tool)| tool.role.further().is_some());
+        tools.map(|(j, tool)| (self.model.name_of(tool.role), self.pressing(j)))
+    }
+
+    /// Force with which a tool presses on the sheet at each of the steps \[N, or N/mm\].
+    fn pressing(&self, tool: usize) -> Vec<f64> {
+        let side = self.model.tools[tool].role.side();
+        self.tool_forces.iter().map(|forces| -side * forces[tool]).collect()
+    }
+
+    /// Force of the die likewise; none without a die.
+    pub fn die_force(&self) -> Option<Vec<f64>> {
+        self.model.tool_index(Role::Die).map(|die| self.pressing(die))
+    }
+
     /// Frames before and after a release; `None` of other stages.
     pub fn released(&self) -> Option<[&Frame; 2]> {
         self.model.release?;

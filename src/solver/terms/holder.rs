@@ -46,7 +46,11 @@ pub fn add(step: &Step, trial: &Trial, out: &mut Evaluation) {
         }
         let stabilisation = STABILISATION * block_area * context.penalty.stiffness;
         // The punch takes the pad along.
-        let along = if tool.role == Role::Pad { step.travel() - step.state.travel } else { 0.0 };
+        let along = match tool.role {
+            Role::Pad => step.travel() - step.state.travel,
+            Role::Upper(_) | Role::Lower(_) => step.state.tool_velocity[j] * step.dt,
+            _ => 0.0,
+        };
         system.corner_rhs[k] -= stabilisation * (moved - step.state.tools[j].y - along);
         system.corner[(k, k)] += stabilisation;
         system.corner_rhs[k] -= out.tool_force[j].y - share.value * force;

@@ -128,7 +128,7 @@ fn check_accepted(case: Case, work: usize) -> bool {
                     let Some(table) = make(view) else { continue };
                     for column in &table.columns {
                         // A limit that has ended is none, and its cell is empty.
-                        let may_end = ["limit_major", "margin"].contains(&column.key);
+                        let may_end = ["limit_major", "margin"].contains(&&*column.key);
                         let sound = |v: &f64| v.is_finite() || v.is_nan() && may_end;
                         assert!(column.values.iter().all(sound), "{}: {}", output.file, column.key);
                     }
