@@ -159,7 +159,7 @@ fn numbers(case: &Case, stages: &[StageSolution], is_torn: bool) -> Vec<Quantity
 }
 
 fn thinnest(stages: &[StageSolution], end: &StepRecord, is_torn: bool) -> Option<Quantity> {
-    let thinning = (1.0 - end.thinnest / stages.last()?.model.blank.thickness).max(0.0);
+    let thinning = (1.0 - end.thinnest / stages.last()?.model.blank.unformed_thickness(end.thinnest_s0)).max(0.0);
     // What comes after it is another sheet.
     let after = if is_torn { "after the tear" } else { "" };
     let about = [format!("{} thinner", Amount::share(thinning)), place(stages, end.thinnest_s0), after.into()];

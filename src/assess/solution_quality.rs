@@ -103,7 +103,7 @@ pub(super) fn yields_again(stage: &StageSolution) -> Option<Finding> {
     for (i, (point, before)) in end.points.iter().zip(before).enumerate() {
         let e = i / layers.len();
         let share = end.volume[e] * layers[i % layers.len()].weight;
-        let limit = model.material.yield_stress(point.strain, end.temperature[e]);
+        let limit = model.material_at(end.middle(e)).yield_stress(point.strain, end.temperature[e]);
         let beyond = model.mode != Mode::ElastoViscoplastic
             && model.material.yield_criterion.equivalent_stress(point.stress) > limit * (1.0 + YIELDED);
         total += share;

@@ -13,7 +13,7 @@ const REFUSED: f64 = 0.30;
 pub(super) fn thinning(run: &Run) -> Option<Finding> {
     let last = run.stages.last()?.steps.last()?;
     let model = run.case.model();
-    let thinning = 1.0 - last.thinnest / model.blank.thickness;
+    let thinning = 1.0 - last.thinnest / model.blank.unformed_thickness(last.thinnest_s0);
     let is_judged = run.nearest.as_ref().is_some_and(|nearest| nearest.assessment.open().is_none());
     let judge = match [is_judged, model.material.rate.is_some_and(|rate| rate.is_superplastic())] {
         [true, _] => "the forming limit judges",

@@ -3,6 +3,8 @@
 use super::{Geometry, Theory};
 use crate::element::Node;
 use crate::geometry::{Point, Profile};
+use crate::material::Material;
+use crate::numerics::PiecewiseLinear;
 use crate::numerics::quadrature::{ThicknessPoint, lobatto, midpoint};
 use crate::units::{As, NonNegative, Positive, Ratio};
 use std::f64::consts::TAU;
@@ -19,6 +21,10 @@ pub struct Blank {
     pub hole: f64,
     /// Meridian of a sheet that is not flat, such as a tube's; it begins at the distance `hole` from the axis.
     pub meridian: Option<Profile>,
+    /// Sheet that an earlier run has formed.
+    pub preform: Option<Preform>,
+    /// Parts of another thickness or metal of a flat blank.
+    pub zones: Vec<Zone>,
     /// How the first end is held where it is not on the axis.
     pub inner_edge: Edge,
     /// Expansion that the edge of the hole bears; `None` where it is not known.
@@ -37,6 +43,26 @@ pub struct Blank {
     pub rule: ThicknessRule,
     /// How the outer edge is held.
     pub edge: Edge,
+}
+
+/// Part of a tailored blank.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Zone {
+    /// Initial distances from the axis or symmetry plane between which it lies \[mm\].
+    pub within: [f64; 2],
+    /// Thickness, at most that of the blank \[mm\].
+    pub thickness: f64,
+    /// Its metal, if it is not that of the blank; only the hardening may be another.
+    pub material: Option<Material>,
+}
+
+/// Sheet that an earlier run has formed, over the distance along it \[mm\].
+#[derive(Clone, Debug, PartialEq)]
+pub struct Preform {
+    /// Thickness \[mm\].
+    pub thickness: PiecewiseLinear,
+    /// Logarithmic mid-surface strains, meridional and hoop, and equivalent plastic strain \[–\].
+    pub strains: [PiecewiseLinear; 3],
 }
 
 /// Expansion that the edge of a hole bears before it cracks: what the hole expansion test of ISO 16630 (not read) measures.
@@ -69,6 +95,8 @@ impl Blank {
             length,
             hole: 0.0,
             meridian: None,
+            preform: None,
+            zones: Vec::new(),
             inner_edge: Edge::Free,
             edge_limit: None,
             thickness,
@@ -112,19 +140,34 @@ impl Blank {
     pub fn reach(&self) -> f64 {
         self.meridian
             .as_ref()
-            .map_or(self.length, |_| self.mid_surface(CHORDS).map(|point| point.x).fold(0.0, f64::max))
+            .map_or(self.length, |_| self.mid_surface(CHORDS).map(|(point, _)| point.x).fold(0.0, f64::max))
     }
 
-    /// Points along the mid-surface, `count` and one more \[mm\].
-    pub fn mid_surface(&self, count: usize) -> impl Iterator<Item = Point> {
+    /// Points along the mid-surface, `count` and one more, with half the thickness \[mm\].
+    pub fn mid_surface(&self, count: usize) -> impl Iterator<Item = (Point, f64)> {
         let [from, to] = self.ends();
-        let nodes = (0..=count).map(move |i| self.node(from + (to - from) * i as f64 / count as f64));
-        nodes.map(|[r, z, _]| Point::new(r, z))
+        let places = (0..=count).map(move |i| from + (to - from) * i as f64 / count as f64);
+        places.map(|s| (Point::new(self.node(s)[0], self.node(s)[1]), 0.5 * self.thickness_at(s)))
+    }
+
+    /// Zone at a distance between the [ends](Self::ends) \[mm\].
+    pub fn zone(&self, s: f64) -> Option<&Zone> {
+        self.zones.iter().find(|zone| (zone.within[0]..zone.within[1]).contains(&s))
+    }
+
+    /// Thickness there of the sheet that nothing has formed yet \[mm\].
+    pub fn unformed_thickness(&self, s: f64) -> f64 {
+        self.zone(s).map_or(self.thickness, |zone| zone.thickness)
+    }
+
+    /// Thickness there before the run \[mm\].
+    pub fn thickness_at(&self, s: f64) -> f64 {
+        self.preform.as_ref().map_or_else(|| self.unformed_thickness(s), |preform| preform.thickness.at(s))
     }
 
     /// Area of the mid-surface \[mm², or mm per mm of depth\], by chords where it is curved.
     pub fn area(&self, geometry: Geometry) -> f64 {
-        let points: Vec<Point> = self.mid_surface(CHORDS).collect();
+        let points: Vec<Point> = self.mid_surface(CHORDS).map(|(point, _)| point).collect();
         let around = |r: f64| if geometry == Geometry::Axisymmetric { TAU * r } else { 1.0 };
         points.windows(2).map(|w| around(0.5 * (w[0].x + w[1].x)) * (w[1] - w[0]).norm()).sum()
     }

@@ -13,7 +13,7 @@ pub mod stage;
 pub mod tool_sizes;
 mod tools;
 
-pub use blank::{Blank, Edge, EdgeLimit, Grading, ThicknessRule};
+pub use blank::{Blank, Edge, EdgeLimit, Grading, Preform, ThicknessRule, Zone};
 pub use check::ModelError;
 pub use extent::Extent;
 pub use heat::{Heat, HeatFlow, ToolHeat};
@@ -141,6 +141,11 @@ impl Model {
     pub fn held_edges(&self, nodes: usize) -> [(usize, Edge); 2] {
         let first = if self.blank.hole == 0.0 { Edge::Axis } else { self.blank.inner_edge };
         [(0, first), (nodes - 1, self.blank.edge)]
+    }
+
+    /// Metal at an initial distance from the axis or symmetry plane \[mm\].
+    pub fn material_at(&self, s0: f64) -> &Material {
+        self.blank.zone(s0).and_then(|zone| zone.material.as_ref()).unwrap_or(&self.material)
     }
 
     /// Elasticity in the model's mode; `None` by the flow law.

@@ -80,7 +80,7 @@ impl Course {
     /// Goes on with the settings of `model` up to a `progress` \[–\], or its end; returns the number of tries.
     pub fn go_on(&mut self, model: &Model, progress: f64, observer: &mut dyn Observer) -> usize {
         self.behind = [self.now.clone(), self.now.clone()];
-        let mut context = RunContext::new(model);
+        let mut context = RunContext::new(model, &self.now.state);
         let left = context.tools.iter_mut().zip(&self.solution.left_at);
         left.for_each(|(tool, left)| tool.released = tool.released.or(*left));
         let mut trial = Trial::new(&context, &self.now.state);

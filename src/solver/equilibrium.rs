@@ -39,7 +39,7 @@ pub(super) fn evaluate(step: &Step, trial: &mut Trial, at: &Linearisation, out: 
 
 /// Nodal forces that keep an elastic sheet at rest in equilibrium at the beginning of a run: those of removed tools \[N, N mm\].
 pub(super) fn unloading(model: &Model, state: &State) -> Arc<[Vector3<f64>]> {
-    let context = RunContext::new(model);
+    let context = RunContext::new(model, state);
     let (mut trial, mut out) = (Trial::new(&context, state), Evaluation::new(&context, state));
     let step = Step::new(&context, state, AT_REST * model.duration, 1);
     trial.predict(&step, true);

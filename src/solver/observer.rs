@@ -124,14 +124,15 @@ impl Iterate<'_> {
     fn points(&self, e: usize) -> Vec<PointSnapshot> {
         let Self { step, trial, pass, .. } = self;
         let Step { model, dt, .. } = step;
+        let material = step.context.metal(e).material;
         let snapshot = |(k, update)| match model.mode {
             Mode::Flow => {
-                let law = model.material.flow_law(pass.matrix, step.cutoff(trial.softening), *dt);
+                let law = material.flow_law(pass.matrix, step.cutoff(trial.softening), *dt);
                 law.snapshot(&step.flow_points[(e, k)], &trial.iterates[(e, k)], update)
             }
             _ => {
                 let (point, memory) = (&step.elastoplastic_points[(e, k)], &trial.elastoplastic[(e, k)]);
-                elastoplastic_law(model, pass.matrix, *dt).snapshot(point, memory, update)
+                elastoplastic_law(model, material, pass.matrix, *dt).snapshot(point, memory, update)
             }
         };
         self.evaluation.updates.row(e).iter().enumerate().map(snapshot).collect()

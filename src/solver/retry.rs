@@ -99,7 +99,7 @@ impl<'s> Corrector<'s, '_> {
 /// Solves the `number`-th step of a run by itself, `dt` \[s\] long; only the first guesses of elastoplastic points differ.
 pub fn try_step(model: &Model, state: &State, dt: f64, number: usize, observer: &mut dyn Observer) -> Option<State> {
     let mut state = state.clone();
-    let mut context = RunContext::new(model);
+    let mut context = RunContext::new(model, &state);
     while let Some(tool) = context.release(&state) {
         state.release(tool);
     }

@@ -4,6 +4,7 @@ use super::*;
 use super::{closing::block_height, restraints::Grip, tearing_index::PlaneStrainStrength};
 use crate::contact::friction::Friction;
 use crate::geometry::Profile;
+use std::ops::Range;
 
 /// Least reference force of the residual over the yield force of the sheet \[–\]: a tenth of bending over 100 thicknesses.
 const LEAST_FORCE: f64 = 1e-4;
@@ -43,11 +44,29 @@ pub(super) struct RunContext<'a> {
     pub least_force: f64,
     /// Move of the holder relative to the die at which it stands on its blocks \[mm\].
     pub blocks: Option<f64>,
+    pub metals: Vec<Metal<'a>>,
+}
+
+/// Elements of one metal, side by side.
+pub(super) struct Metal<'a> {
+    pub elements: Range<usize>,
+    pub material: &'a Material,
     pub strength: Option<PlaneStrainStrength<'a>>,
 }
 
+fn metals<'a>(model: &'a Model, state: &State) -> Vec<Metal<'a>> {
+    let materials: Vec<_> = (0..state.thickness.len()).map(|e| model.material_at(state.middle(e))).collect();
+    let mut end = 0;
+    let metal = |equal: &[&'a Material]| {
+        let begin = end;
+        end += equal.len();
+        Metal { elements: begin..end, material: equal[0], strength: PlaneStrainStrength::new(model, equal[0]) }
+    };
+    materials.chunk_by(|a, b| std::ptr::eq(*a, *b)).map(metal).collect()
+}
+
 impl<'a> RunContext<'a> {
-    pub fn new(model: &'a Model) -> Self {
+    pub fn new(model: &'a Model, state: &State) -> Self {
         let mut shared = 0;
         let mut index = |unknown: bool| {
             let index = unknown.then_some(shared);
@@ -69,12 +88,17 @@ impl<'a> RunContext<'a> {
         let penalty = Penalty { stiffness: settings.contact_stiffness / t, smoothing: settings.contact_smoothing * t };
         let yield_stress = model.material.yield_stress(STRENGTH_AT, ROOM_TEMPERATURE);
         let least_force = LEAST_FORCE * yield_stress * t * model.geometry.area(length) / length;
-        let (rule, blocks, strength) = (model.blank.points(), block_height(model), PlaneStrainStrength::new(model));
-        Self { model, tools, rule, gas_shared, shared, penalty, least_force, blocks, strength }
+        let (rule, blocks, metals) = (model.blank.points(), block_height(model), metals(model, state));
+        Self { model, tools, rule, gas_shared, shared, penalty, least_force, blocks, metals }
     }
 
     pub fn acting_tools(&self) -> impl Iterator<Item = (usize, &ActiveTool)> {
         self.tools.iter().enumerate().filter(|(_, tool)| !tool.is_absent())
+    }
+
+    /// Metal of element `e`.
+    pub fn metal(&self, e: usize) -> &Metal<'a> {
+        &self.metals[self.metals.partition_point(|metal| metal.elements.end <= e)]
     }
 
     pub fn holds_rate(&self) -> bool {

@@ -104,32 +104,42 @@ impl State {
     /// Blank before forming with waiting tools.
     pub fn initial(model: &Model, s0: Vec<f64>) -> Self {
         let nodes: Vec<Node> = s0.iter().map(|&s| model.blank.node(s)).collect();
-        let t = model.blank.thickness;
         let elements = nodes.len() - 1;
-        let volume =
-            nodes.windows(2).map(|w| t * Reference::new(model.geometry, model.blank.theory, w[0], w[1]).area());
-        let point = MaterialPoint {
+        let middles: Vec<f64> = s0.windows(2).map(|w| 0.5 * (w[0] + w[1])).collect();
+        let thickness: Vec<f64> = middles.iter().map(|s| model.blank.thickness_at(*s)).collect();
+        let area = |w: &[Node]| Reference::new(model.geometry, model.blank.theory, w[0], w[1]).area();
+        let volume = nodes.windows(2).zip(&thickness).map(|(w, t)| t * area(w)).collect();
+        let strains = |s: &f64| {
+            model
+                .blank
+                .preform
+                .as_ref()
+                .map_or([0.0; 3], |preform| preform.strains.each_ref().map(|strain| strain.at(*s)))
+        };
+        let point = |strain: f64| MaterialPoint {
+            strain,
             porosity: model.material.gtn.map_or(0.0, |voids| voids.initial),
             ..MaterialPoint::default()
         };
+        let points = middles.iter().flat_map(|s| std::iter::repeat_n(point(strains(s)[2]), model.blank.layers));
         let temperature = |r: f64| model.heat.as_ref().map_or(ROOM_TEMPERATURE, |heat| heat.initial.at(r));
         let speed = |tool: &Tool| if tool.motion == Motion::Travel { model.speed } else { 0.0 };
         let pairs = Grid::new(model.tools.len(), STATIONS * elements, 0.0);
         Self {
             velocity: vec![[0.0; 3]; nodes.len()],
             end_velocity: vec![[0.0; 3]; nodes.len()],
-            thickness: vec![t; elements],
-            volume: volume.collect(),
-            membrane: vec![[0.0; 2]; elements],
+            thickness,
+            volume,
+            membrane: middles.iter().map(|s| [strains(s)[0], strains(s)[1]]).collect(),
             ironed: vec![[0.0; 2]; elements],
             nose_curvature: vec![0.0; elements],
             tearing_index: vec![[0.0; 2]; elements],
             steady: vec![false; elements],
-            points: Grid::new(elements, model.blank.layers, point),
+            points: Grid::from_values(model.blank.layers, points),
             face_damage: vec![[0.0; 2]; elements],
             dilation: vec![0.0; elements],
             dilation_rate: vec![0.0; elements],
-            temperature: s0.windows(2).map(|w| 0.5 * (w[0] + w[1])).map(temperature).collect(),
+            temperature: middles.iter().map(|s| temperature(*s)).collect(),
             temperature_rates: vec![[0.0; 2]; elements],
             tools: model.tools.iter().map(|tool| Point::new(0.0, waiting_displacement(model, tool))).collect(),
             tool_velocity: model.tools.iter().map(speed).collect(),

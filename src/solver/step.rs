@@ -73,7 +73,7 @@ impl<'a> Step<'a> {
         let least_speed = model.speed.max(model.blank.thickness / model.duration);
         let (flow_points, elastoplastic_points) = match model.mode {
             Mode::Flow => (flow_points(context, state, dt, speed_ratio, &around), Grid::from_values(0, [])),
-            _ => (Grid::from_values(0, []), elastoplastic_points(model, state, dt, &around)),
+            _ => (Grid::from_values(0, []), elastoplastic_points(context, state, dt, &around)),
         };
         Self {
             context,
@@ -171,17 +171,21 @@ fn flow_points(context: &RunContext, state: &State, dt: f64, ratio: f64, around:
     points
 }
 
-fn elastoplastic_points(model: &Model, state: &State, dt: f64, around: &Grid<Surroundings>) -> Grid<Carried> {
-    let law = elastoplastic_law(model, Iteration::Newton, dt);
+fn elastoplastic_points(context: &RunContext, state: &State, dt: f64, around: &Grid<Surroundings>) -> Grid<Carried> {
+    let model = context.model;
     let elastic = model.elasticity().expect("checked where the model is made");
     let columns = state.points.columns();
-    let points = state.points.iter().enumerate().map(|(i, point)| {
-        let temperature = state.foreseen_temperature(i / columns, dt);
-        let MaterialPoint { strain, stress, back, .. } = *point;
-        let surroundings = around[(i / columns, i % columns)];
-        let dilation = elastic.volume_strain(stress).exp_m1();
-        let carried = Carried { strain, temperature, yield_stress: 0.0, stress, dilation, back, surroundings };
-        Carried { yield_stress: law.yield_stress(&carried), ..carried }
+    let points = context.metals.iter().flat_map(|metal| {
+        let law = elastoplastic_law(model, metal.material, Iteration::Newton, dt);
+        let places = metal.elements.clone().flat_map(|e| (0..columns).map(move |k| (e, k)));
+        places.map(move |at| {
+            let temperature = state.foreseen_temperature(at.0, dt);
+            let MaterialPoint { strain, stress, back, .. } = state.points[at];
+            let dilation = elastic.volume_strain(stress).exp_m1();
+            let surroundings = around[at];
+            let carried = Carried { strain, temperature, yield_stress: 0.0, stress, dilation, back, surroundings };
+            Carried { yield_stress: law.yield_stress(&carried), ..carried }
+        })
     });
     Grid::from_values(columns, points)
 }
@@ -207,16 +211,18 @@ fn faces(references: &[Reference], state: &State) -> Vec<[f64; 2]> {
 
 /// Shear yield stress σ_y/√3 at the mean strain of each element \[MPa\].
 fn shear_yield(context: &RunContext, state: &State) -> Vec<f64> {
-    let of_element = |(points, temperature): (&[MaterialPoint], &f64)| {
+    let of_element = |(e, points): (usize, &[MaterialPoint])| {
         let strain: f64 = points.iter().zip(&context.rule).map(|(p, at)| at.weight * p.strain).sum();
-        context.model.material.yield_stress(strain, *temperature) / 3f64.sqrt()
+        context.metal(e).material.yield_stress(strain, state.temperature[e]) / 3f64.sqrt()
     };
-    state.points.rows().zip(&state.temperature).map(of_element).collect()
+    state.points.rows().enumerate().map(of_element).collect()
 }
 
 /// Elastoplastic law of a step of `duration` \[s\].
-pub(super) fn elastoplastic_law(model: &Model, matrix: Iteration, duration: f64) -> ElastoplasticLaw<'_> {
-    let Material { hardening, rate, thermal, yield_criterion, chaboche, .. } = &model.material;
+pub(super) fn elastoplastic_law<'a>(
+    model: &Model, material: &'a Material, matrix: Iteration, duration: f64,
+) -> ElastoplasticLaw<'a> {
+    let Material { hardening, rate, thermal, yield_criterion, chaboche, .. } = material;
     let hardening = (model.mode == Mode::ElastoViscoplastic).then_some(hardening);
     let elastic = model.elasticity().expect("checked where the model is made");
     let (operators, kinematic) = (Operators::new(elastic, *yield_criterion), shifting(*chaboche));

@@ -41,8 +41,7 @@ pub(super) struct PlaneStrainStrength<'a> {
 
 impl<'a> PlaneStrainStrength<'a> {
     /// `None` where nothing is formed, and for superplastic sheets.
-    pub fn new(model: &'a Model) -> Option<Self> {
-        let material = &model.material;
+    pub fn new(model: &'a Model, material: &'a Material) -> Option<Self> {
         let is_superplastic = material.rate.is_some_and(|rate| rate.is_superplastic());
         let factor = material.yield_criterion.plane_strain_factor();
         let peak = material.hardening.temperatures().is_none().then(|| material.load_maximum(factor, ROOM_TEMPERATURE));
@@ -63,7 +62,6 @@ impl<'a> PlaneStrainStrength<'a> {
 /// Adds the tearing index of a step to the next state, and its largest to the record; after [`super::ironing::add`].
 pub(super) fn add(converged: &Converged, next: &mut State, record: &mut StepRecord) {
     let Converged { step, evaluation, .. } = converged;
-    let Some(strength) = &step.context.strength else { return };
     let (model, rule) = (step.model, &step.context.rule);
     let n = next.thickness.len();
     let rate_factor = model.material.rate.map_or(1.0, |rate| {
@@ -72,6 +70,7 @@ pub(super) fn add(converged: &Converged, next: &mut State, record: &mut StepReco
     });
     let punch = model.tool_index(Role::Punch).filter(|_| model.blank.edge == Edge::Free);
     for e in 0..n {
+        let Some(strength) = &step.context.metal(e).strength else { return };
         let is_pressed = |j: usize, i: usize| evaluation.contacts[(j, i)].is_active(&step.context.penalty);
         if punch.is_some_and(|j| (STATIONS * e..STATIONS * (e + 1)).any(|i| is_pressed(j, i))) {
             next.nose_curvature[e] = next.nose_curvature[e].max(curvature(next, e));

@@ -142,7 +142,7 @@ fn dense(system: &System) -> (Matrix, Matrix) {
 
 fn sheet(u: Random) -> Symbols {
     let (model, state) = disk(vec![]);
-    let context = RunContext::new(&model);
+    let context = RunContext::new(&model, &state);
     let (mut trial, mut out) = (trial::Trial::new(&context, &state), Evaluation::new(&context, &state));
     let mut step = Step::new(&context, &state, 0.05, 2);
     trial.predict(&step, true);

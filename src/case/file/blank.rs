@@ -2,7 +2,7 @@
 
 use super::section::Section;
 use super::*;
-use crate::model::{Grading, ThicknessRule};
+use crate::model::{Grading, Preform, ThicknessRule};
 
 /// Sheet before forming: flat, a tube, or of any meridian.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -23,6 +23,9 @@ pub struct Blank {
     /// Meridian of the mid-surface, instead of a flat blank: lines and arcs, or the name of a CSV file as of a tool's profile. It
     /// begins nearer the axis, or above where the sheet stands upright; the die's side is on its left.
     profile: Option<Section>,
+    /// Folder of an earlier run's results, whose sheet at its end goes on in this case: with its shape, thickness and strains.
+    /// `thickness` is that of the sheet before the earlier run.
+    earlier_run: Option<String>,
     /// Support of its first end where that is not on the axis.
     #[serde(default)]
     #[schemars(extend("default" = "free"))]
@@ -35,6 +38,9 @@ pub struct Blank {
     pub depth: Option<Positive<Length>>,
     /// Initial thickness, 0.001 to 50 mm.
     thickness: Positive<Length>,
+    /// Parts of a tailored blank.
+    #[serde(default)]
+    pub zones: Vec<super::zones::Zone>,
     /// Number of elements from the axis or symmetry plane to the edge, 2 to 2000.
     #[schemars(range(min = 2, max = 2000), extend("default" = 100))]
     elements: Option<i64>,
@@ -106,7 +112,7 @@ impl CaseFile {
         let meridian = self.meridian(source)?;
         let (keys, lengths) = (["radius", "diameter", "half_length"], [file.radius, file.diameter, file.half_length]);
         let (key, length) = match &meridian {
-            Some((key, meridian)) => (*key, meridian.length()),
+            Some((key, meridian, _)) => (*key, meridian.length()),
             None => radius_of(source, "blank", self.geometry, keys, lengths)?,
         };
         let (long, thick) = (rounded(length), rounded(thickness));
@@ -120,7 +126,7 @@ impl CaseFile {
         let help = "shells are at least five thicknesses long: check the units";
         source.require(length >= SLENDER * thickness, "blank.thickness", what, help)?;
         let holes = [file.hole, file.hole_diameter, None];
-        let hole = if let Some((_, meridian)) = &meridian {
+        let hole = if let Some((_, meridian, _)) = &meridian {
             meridian.first().x
         } else if holes.iter().any(Option::is_some) {
             let (key, hole) = radius_of(source, "blank", self.geometry, ["hole", "hole_diameter", "radius"], holes)?;
@@ -145,19 +151,19 @@ impl CaseFile {
         let elements = count(source, "blank.elements", file.elements.unwrap_or(100), 2..=2000)?;
         let Blank { grading, theory, inner_edge, edge_limit, .. } = *file;
         let edge = if file.feed.is_some() { Edge::Fed } else { file.edge };
-        let meridian = meridian.map(|(_, meridian)| meridian);
-        let blank =
-            model::Blank { hole, meridian, inner_edge, edge_limit, elements, ..model::Blank::new(length, thickness) };
+        let (meridian, preform) = meridian.map_or((None, None), |(_, meridian, preform)| (Some(meridian), preform));
+        let usual = model::Blank::new(length, thickness);
+        let blank = model::Blank { hole, meridian, preform, inner_edge, edge_limit, elements, ..usual };
         Ok(model::Blank { grading, theory, layers, rule, edge, ..blank })
     }
 
-    /// Meridian of a sheet that is not flat, and its key.
-    fn meridian(&self, source: &Source) -> Result<Option<(&'static str, Profile)>> {
-        let keys = ["tube", "profile", "radius", "diameter", "half_length"];
+    /// Meridian of a sheet that is not flat, its key, and what an earlier run made of it.
+    fn meridian(&self, source: &Source) -> Result<Option<(&'static str, Profile, Option<Preform>)>> {
+        let keys = ["tube", "profile", "earlier_run", "radius", "diameter", "half_length"];
         let blank = &self.blank;
-        let (key, meridian) = match (&blank.tube, &blank.profile) {
-            (None, None) => return Ok(None),
-            (Some(tube), _) => {
+        let (key, meridian, preform) = match (&blank.tube, &blank.profile, &blank.earlier_run) {
+            (None, None, None) => return Ok(None),
+            (Some(tube), ..) => {
                 let (thickness, across) = (blank.thickness.value(), tube.diameter.value());
                 let (radius, length) = (0.5 * (across - thickness), tube.length.value());
                 let is_tube = radius > 0.5 * thickness && length >= SLENDER * thickness;
@@ -165,13 +171,19 @@ impl CaseFile {
                 let help = "check diameter, length and thickness, or draw the sheet as `profile`";
                 source.require(is_tube && self.geometry == Geometry::Axisymmetric, "blank.tube", what, help)?;
                 let line = Piece::line(Point::new(radius, 0.0), Point::new(radius, -length));
-                ("tube", Profile::new(vec![line]).expect("a line with a length"))
+                ("tube", Profile::new(vec![line]).expect("a line with a length"), None)
             }
-            (_, Some(profile)) => ("profile", profile.drawn("blank.profile", ("sheet", self.geometry), source)?),
+            (_, Some(profile), _) => {
+                ("profile", profile.drawn("blank.profile", ("sheet", self.geometry), source)?, None)
+            }
+            (.., Some(folder)) => {
+                let (meridian, preform) = preform::read(folder, self.geometry, source)?;
+                ("earlier_run", meridian, Some(preform))
+            }
         };
-        source.one_of("blank", &keys, "a tube and a profile are the whole sheet: keep one")?;
+        source.one_of("blank", &keys, "each of them is the whole sheet: keep one")?;
         let what = "belongs to a flat blank";
         source.refuse("blank", &["hole", "hole_diameter"], what, "let the profile begin at the hole's edge")?;
-        Ok(Some((key, meridian)))
+        Ok(Some((key, meridian, preform)))
     }
 }

@@ -13,11 +13,13 @@ mod judged;
 mod material;
 mod opening;
 mod points;
+mod preform;
 mod section;
 mod stages;
 mod surroundings;
 mod tools;
 mod values;
+mod zones;
 
 pub(super) use forming_limit::FormingLimit;
 pub use judged::{Finished, Press, Springback, TitleBlock};
@@ -123,8 +125,9 @@ impl CaseFile {
 
     fn first(&self, source: &Source) -> Result<Model> {
         let extent = self.extent(source)?;
-        let blank = self.blank(source)?;
+        let mut blank = self.blank(source)?;
         let material = self.material.model(source)?;
+        blank.zones = zones::Zone::all(&self.blank.zones, &blank, &material, source)?;
         let mode = checked_mode(self.material.mode.unwrap_or_default(), &material, "material.mode", source)?;
         let drive = self.drive(blank.length, source)?;
         let (written, travel) = (&self.tools, drive.travel);

@@ -280,15 +280,14 @@ impl Drawn {
 
 impl ToolContext<'_> {
     /// Section of a new tool, where it touches the flat sheet. Beside a sheet that is not flat tools stand where they are drawn,
-    /// and the punch is brought along z until it touches it.
+    /// and the punch is brought along z until it touches it; all are brought to a sheet that an earlier run has formed.
     pub fn new_profile(&self, role: Role) -> Result<Profile> {
         let drawn = self.drawn_profile(role)?;
         if self.blank.meridian.is_none() || !self.standing.is_empty() {
             return Ok(drawn);
         }
-        let half = 0.5 * self.blank.thickness;
-        let sheet: Vec<_> = self.blank.mid_surface(PLACES).map(|point| (point, half)).collect();
-        if role == Role::Punch {
+        let sheet: Vec<_> = self.blank.mid_surface(PLACES).collect();
+        if role == Role::Punch || self.blank.preform.is_some() {
             return Ok(drawn.shifted(met(&drawn, role.side(), &sheet, [self.blank.thickness, 0.0])));
         }
         let inside = |(at, half): &&(Point, f64)| drawn.closest(*at).distance < half * (1.0 - LIES);

@@ -101,15 +101,19 @@ impl Lines<'_> {
         } else if let Some(angle) = end.and_then(|end| Shape::of(end).wall_angle()) {
             self.number("wall_angle", "Wall to the punch direction", Amount::angle(angle));
         }
-        let over_initial = |thickness| Amount::share(thickness / model.blank.thickness);
+        let over_initial = |thickness, s0| Amount::share(thickness / model.blank.unformed_thickness(s0));
         let from =
             worded(model.geometry, "  at s0, initially from the axis", "  at s0, initially from the symmetry plane");
         self.number("thinnest", "Thinnest place", Amount::thickness(last.thinnest));
-        self.number("thinnest_over_initial", "  over the initial thickness", over_initial(last.thinnest));
+        self.number(
+            "thinnest_over_initial",
+            "  over the initial thickness",
+            over_initial(last.thinnest, last.thinnest_s0),
+        );
         self.number("thinnest_s0", from, Amount::place(last.thinnest_s0));
         if let Some((thickest, s0)) = end.and_then(thickest) {
             self.number("thickest", "Thickest place", Amount::thickness(thickest));
-            self.number("thickest_over_initial", "  over the initial thickness", over_initial(thickest));
+            self.number("thickest_over_initial", "  over the initial thickness", over_initial(thickest, s0));
             self.number("thickest_s0", from, Amount::place(s0));
         }
         let pulled = Some(largest(run, |s| s.tearing_index)).filter(|index| *index > 0.0);

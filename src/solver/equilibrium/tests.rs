@@ -23,7 +23,7 @@ pub fn with_step<T>(
     model: &Model, state: &State, (dt, from_rest): (f64, bool),
     test: impl FnOnce(&Step, &mut Trial, &mut Evaluation) -> T,
 ) -> T {
-    let context = RunContext::new(model);
+    let context = RunContext::new(model, state);
     let step = Step::new(&context, state, dt, 2);
     let (mut trial, mut evaluation) = (Trial::new(&context, state), Evaluation::new(&context, state));
     trial.predict(&step, from_rest);

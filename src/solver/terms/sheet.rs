@@ -7,6 +7,7 @@ use crate::solver::corrector::LARGEST_MOVE;
 use crate::solver::evaluation::Linearisation;
 use crate::solver::step::elastoplastic_law;
 use crate::solver::*;
+use std::ops::Range;
 
 /// Least tension of a membrane in its matrix, over its yield force \[–\]; of the flow law it fades once the velocity norm is
 /// below [`SLACK_NORM`], of the elastic laws with the square of the last move.
@@ -28,23 +29,29 @@ pub fn add(step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluat
         };
         // All of it until the sheet is at rest: the last move makes it fade.
         let slack = (if at.velocity_norm == 0.0 { 0.0 } else { SLACK_TENSION }, last_move);
-        let law = elastoplastic_law(model, at.matrix, dt);
         let (points, iterates) = (&step.elastoplastic_points, &mut trial.elastoplastic);
-        return add_elements(step, &law, points, iterates, (&trial.moves, slack), at, out);
+        return step.context.metals.iter().all(|metal| {
+            let law = elastoplastic_law(model, metal.material, at.matrix, dt);
+            add_elements(step, (&law, &metal.elements), points, iterates, (&trial.moves, slack), at, out)
+        });
     }
     // The secant matrix asks for the least besides the stress.
     let matrix = if at.residual_alone { Iteration::Secant } else { at.matrix };
-    let law = model.material.flow_law(matrix, step.cutoff(trial.softening), dt);
     let slack = (SLACK_TENSION * (at.velocity_norm / SLACK_NORM).min(1.0), f64::INFINITY);
-    add_elements(step, &law, &step.flow_points, &mut trial.iterates, (&trial.moves, slack), at, out)
+    let cutoff = step.cutoff(trial.softening);
+    step.context.metals.iter().all(|metal| {
+        let law = metal.material.flow_law(matrix, cutoff, dt);
+        let (points, iterates) = (&step.flow_points, &mut trial.iterates);
+        add_elements(step, (&law, &metal.elements), points, iterates, (&trial.moves, slack), at, out)
+    })
 }
 
 fn add_elements<L: PointLaw>(
-    step: &Step, law: &L, points: &Grid<L::PointState>, iterates: &mut Grid<L::Iterate>,
+    step: &Step, (law, elements): (&L, &Range<usize>), points: &Grid<L::PointState>, iterates: &mut Grid<L::Iterate>,
     (moves, (slack_tension, last_move)): (&[Node], (f64, f64)), at: &Linearisation, out: &mut Evaluation,
 ) -> bool {
     let section = Section { law, rule: &step.context.rule, slack_tension, last_move, forces_alone: at.residual_alone };
-    for e in 0..step.references.len() {
+    for e in elements.clone() {
         let Some(current) = step.references[e].moved(moves[e], moves[e + 1]) else { return false };
         let stretch = [current.strain[EPS_S], current.strain[EPS_T]];
         out.membrane_increment[e] = stretch;

@@ -1,0 +1,66 @@
+//! `[blank] earlier_run`: the sheet that another run has formed.
+
+use super::points::Named;
+use super::*;
+use crate::model::Preform;
+
+/// Gap to the axis, over the space of two elements, that is none \[–\].
+const ON_AXIS: f64 = 0.1;
+const EXAMPLE: &str = "give the folder of its results, of one of several stages: out/cup or out/cup/1-draw";
+
+/// Meridian of the sheet at the end of a run with results in `folder`, and its thickness and strains.
+pub fn read(folder: &str, geometry: Geometry, source: &Source) -> Result<(Profile, Preform)> {
+    let file = format!("{folder}/profile.csv");
+    let named = Named { file: &file, what: "earlier run's", example: EXAMPLE, key: "blank.earlier_run" };
+    let (text, csv) = named.open(source)?;
+    let across = if geometry == Geometry::PlaneStrain { "x_mm" } else { "r_mm" };
+    let names = ["s0_mm", across, "z_mm", "thickness_mm", "strain_meridional", "strain_hoop", "strain_equivalent"];
+    let mut columns = [0; 7];
+    for (column, name) in columns.iter_mut().zip(names) {
+        let what = || format!("there is no column {name}; found {}", csv.names());
+        *column = csv.column(name).ok_or_else(|| text.error(csv.header.line, what(), EXAMPLE))?;
+    }
+    // Rows of each instant go outward from the axis: those of the last one remain.
+    let mut rows: Vec<[f64; 7]> = Vec::new();
+    for record in &csv.rows {
+        let mut row = [0.0; 7];
+        for (k, (value, column)) in row.iter_mut().zip(columns).enumerate() {
+            let number = text.number(record, column)?.filter(|number| *number > 0.0 || ![1, 3].contains(&k));
+            let what = || format!("{} is no number above 0", names[k]);
+            *value = number.ok_or_else(|| text.error(record.line, what(), EXAMPLE))?;
+        }
+        if rows.last().is_some_and(|last| row[0] <= last[0]) {
+            rows.clear();
+        }
+        rows.push(row);
+    }
+    let middles: Vec<Point> = rows.iter().map(|row| Point::new(row[1], row[2])).collect();
+    let ([first, second, ..], [.., before, last]) = (&middles[..], &middles[..]) else {
+        return Err(text.error(csv.header.line, "a sheet has two elements at least", EXAMPLE));
+    };
+    let (mut start, end) = (first + 0.5 * (first - second), last + 0.5 * (last - before));
+    if start.x < ON_AXIS * (second - first).norm() {
+        start.x = 0.0;
+    }
+    let points: Vec<Point> = [start].into_iter().chain(middles.iter().copied()).chain([end]).collect();
+    let chords = points.windows(2).map(|w| Piece::line(w[0], w[1])).collect();
+    let profile = Profile::new(chords).map_err(|error| text.error(csv.header.line, error.to_string(), EXAMPLE))?;
+    let (long, profile) = (profile.length(), profile.rounded());
+    let along = points.windows(2).scan(0.0, |along, w| {
+        *along += (w[1] - w[0]).norm() * profile.length() / long;
+        Some(*along)
+    });
+    let along: Vec<f64> = along.take(rows.len()).collect();
+    let curve = |k: usize| {
+        let points = along.iter().zip(&rows).map(|(s, row)| (*s, row[k])).collect();
+        PiecewiseLinear::new(points).ok_or_else(|| text.error(csv.header.line, "its rows repeat a place", EXAMPLE))
+    };
+    let preform = Preform { thickness: curve(3)?, strains: [curve(4)?, curve(5)?, curve(6)?] };
+    let thickness = || rows.iter().map(|row| row[3]);
+    let [thin, thick] = [thickness().fold(f64::MAX, f64::min), thickness().fold(0.0, f64::max)].map(Amount::thickness);
+    source.note(format!(
+        "the sheet is that of {folder} at its end, {thin} to {thick} thick, with its strains; its stresses, its bending through \
+         the thickness and its damage are left out"
+    ));
+    Ok((profile, preform))
+}

@@ -1,0 +1,55 @@
+//! `[[blank.zones]]`: parts of a tailored blank.
+
+use super::material::only;
+use super::*;
+use crate::material::law::Family;
+use crate::material::{Hardening, Material, hardening::HardeningTable};
+
+/// Part of a flat blank that is thinner or hardens otherwise, as of a tailored one; its middle lies where that of the blank does.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Zone {
+    /// Distance of its begin from the axis or symmetry plane; the blank's own when not given.
+    from: Option<NonNegative<Length>>,
+    /// Distance of its end; the blank's edge when not given.
+    to: Option<Positive<Length>>,
+    /// Thickness, at most that of the blank, which it has when not given.
+    thickness: Option<Positive<Length>>,
+    /// Hardening, one law as in `[material.hardening]`; the rest of the material, and the forming limit, are the blank's.
+    hardening: Option<HardeningTable>,
+}
+
+impl Zone {
+    /// Zones of a blank of this material.
+    pub fn all(
+        written: &[Self], blank: &model::Blank, material: &Material, source: &Source,
+    ) -> Result<Vec<model::Zone>> {
+        let mut zones: Vec<model::Zone> = Vec::new();
+        for (k, zone) in written.iter().enumerate() {
+            let path = format!("blank.zones.{k}");
+            let [start, edge] = blank.ends();
+            let within = [zone.from.map_or(start, Dimensioned::value), zone.to.map_or(edge, Dimensioned::value)];
+            let free = zones.last().map_or(start, |before| before.within[1]);
+            let [from, to] = within.map(rounded);
+            let what = format!("a zone from {from} to {to} mm does not fit");
+            let help = format!("it lies between {} and {} mm, zones go outward", rounded(free), rounded(edge));
+            let fits = free <= within[0] && within[0] < within[1] && within[1] <= edge && blank.meridian.is_none();
+            source.require(fits, &path, what, help)?;
+            let thickness = zone.thickness.map_or(blank.thickness, Dimensioned::value);
+            let most = rounded(blank.thickness);
+            let what = format!("a zone of {} mm is thicker than the blank of {most} mm", rounded(thickness));
+            let help = "give `blank.thickness` of the thickest part, on which the tools lie";
+            source.require(thickness <= blank.thickness, &format!("{path}.thickness"), what, help)?;
+            let law = |table: &HardeningTable| {
+                let young = material.elastic.map(|elastic| elastic.young);
+                let hardening = only(Hardening::named(table.clone()), young, &format!("{path}.hardening"), source)?;
+                Ok::<_, CaseError>(Material { hardening, ..material.clone() })
+            };
+            zones.push(model::Zone { within, thickness, material: zone.hardening.as_ref().map(law).transpose()? });
+        }
+        if zones.iter().any(|zone| zone.material.is_some()) {
+            source.note("zones that harden otherwise are judged by the forming limit of [material]");
+        }
+        Ok(zones)
+    }
+}
