@@ -215,7 +215,7 @@ pub(super) fn load(case: &Case, stages: &[StageSolution], bar: f64) -> Option<Qu
 /// Clear diameter of the hole at the end, and the thickness of its edge beside t₀ (d₀/d)^(1/(1 + r̄)), that of simple tension.
 fn hole(stage: &StageSolution) -> Option<Quantity> {
     let (blank, hole) = (&stage.model.blank, stage.steps.last()?.hole);
-    if blank.meridian.is_some() {
+    if blank.is_open() {
         return end(stage.frames.last()?);
     }
     let (edge, node) = (stage.frames.last()?.elements.first()?, stage.frames.last()?.nodes.first()?);

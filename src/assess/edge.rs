@@ -20,7 +20,7 @@ const WIDENED: f64 = 0.005;
 pub(super) fn judge(run: &Run) -> Option<Finding> {
     let blank = &run.case.model().blank;
     let is_hole = blank.has_hole() && blank.meridian.is_none();
-    if !is_hole && (blank.meridian.is_none() || blank.edge != Edge::Free) {
+    if !is_hole && (!blank.is_open() || blank.edge != Edge::Free) {
         return None;
     }
     let (edge, wall) = if is_hole { ("hole", "") } else { ("end", " at mid-wall") };

@@ -104,7 +104,8 @@ pub(super) fn closes(model: &Model) -> Option<Finding> {
 }
 
 pub(super) fn stays_open(stage: &StageSolution) -> Option<Finding> {
-    let force = Amount::force(stage.closing?.force, stage.model.extent().force_unit());
+    let closing = stage.closing.filter(|_| stage.model.blank.preform.is_none())?;
+    let force = Amount::force(closing.force, stage.model.extent().force_unit());
     let text = format!("the holder did not close: with {force} it stands open by {{}} when the draw begins");
     let warning = if_open(stage, Finding::warning("holder_open", "Holder", text))?;
     Some(warning.light(Light::Amber).limit(format!("open by at most {} t", Amount::number(OPEN))))

@@ -146,7 +146,7 @@ fn on_part(stage: &StageSolution, s0: f64) -> String {
     });
     let (r, above) = at.unwrap_or((s0, None));
     let above = above.filter(|_| stage.model.tool(Role::Punch).is_some());
-    let end = if stage.model.blank.meridian.is_some() { "from the far end" } else { "above the bottom" };
+    let end = if stage.model.blank.is_open() { "from the far end" } else { "above the bottom" };
     let above = above.map_or_else(String::new, |above| format!("{} {end}", Amount::place(above)));
     let measures = joined([format!("{} from the {from}", Amount::place(r)), above], ", ");
     place_on_part(stage, s0).map_or_else(|| measures.clone(), |place| format!("{place} ({measures})"))

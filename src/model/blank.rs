@@ -131,6 +131,11 @@ impl Blank {
         if self.meridian.is_some() { self.edge_radius() } else { self.hole }
     }
 
+    /// True of a sheet that is not flat and open at its first end, as a tube.
+    pub fn is_open(&self) -> bool {
+        self.meridian.is_some() && self.hole > 0.0
+    }
+
     /// True if the first end is the free edge of a hole.
     pub fn has_hole(&self) -> bool {
         self.hole > 0.0 && self.inner_edge == Edge::Free

@@ -79,6 +79,7 @@ mod verify_loads;
 mod verify_motion;
 mod verify_necking;
 mod verify_pads_and_holes;
+mod verify_preforms;
 mod verify_ring;
 mod verify_solid_hat;
 mod verify_solver;
