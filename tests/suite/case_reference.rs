@@ -86,7 +86,7 @@ type Inner<'a> = Vec<(String, &'a Value)>;
 impl<'a> Reference<'a> {
     fn section(&mut self, path: &str, node: &'a Value) {
         let heading = if path.is_empty() { "The file's own keys".to_owned() } else { format!("`{path}`") };
-        let _ = write!(self.text, "\n## {heading}\n");
+        let _ = write!(self.text, "\n## {heading}");
         self.body(path, node);
     }
 

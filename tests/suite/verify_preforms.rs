@@ -11,7 +11,7 @@ fn zones_of_a_pulled_strip_carry_one_force() {
         let mut model = simple::pulled(Geometry::PlaneStrain, Theory::Membrane, 3.0);
         model.material.elastic = Some(Elastic { young: 206e3, poisson: 0.3 });
         (model.mode, model.blank.elements) = (mode, 40);
-        let hardening = Hardening::Swift(Swift::new(600.0, 0.15, 1e-3).expect("valid"));
+        let hardening = Hardening::Swift(Swift::new(580.0, 0.2, 1e-3).expect("valid"));
         let material = Some(Material { hardening, ..model.material.clone() });
         model.blank.zones = vec![Zone { within: [20.0, 40.0], thickness: 0.9, material }];
         let elements = solve(&model).frames.pop().expect("a frame").elements;

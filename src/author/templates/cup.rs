@@ -61,7 +61,8 @@ struct Tools {
 }
 
 pub(super) fn cup<const LEAST: usize>(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
-    Cup::read(inputs, sheet)?.planned(LEAST)
+    let cup = Cup::read(inputs, sheet)?;
+    cup.values(&cup.planned(LEAST)?, true)
 }
 
 fn part(inputs: &Inputs, thickness: f64, nose: f64, height: f64) -> Part {
@@ -118,7 +119,7 @@ impl<'a> Cup<'a> {
     }
 
     /// Sizes for as many draws as the rule plans, `least` at least; where the sheet tears in runs of them, for one more.
-    fn planned(&self, least: usize) -> Result<Values, CaseError> {
+    fn planned(&self, least: usize) -> Result<Plan, CaseError> {
         let (part, metal, stepped) = (self.part, self.metal, usize::from(self.part.step.is_some()));
         let is_single = part.flange.is_some() || part.recess.is_some();
         let first = self.inputs.number("first-radius");
@@ -131,7 +132,7 @@ impl<'a> Cup<'a> {
             let what = || format!("--draws {given} is no number of draws for this part{why}");
             let fits = draws as f64 == given && (least + stepped..=most_given).contains(&draws);
             ensure(fits, what, &format!("from {} to {most_given}", least + stepped))?;
-            return self.values(&self.tried(draws, true)?);
+            return self.tried(draws, true);
         }
         let (most, limit, of, or) = if is_single {
             // A flange that stays outside takes load off the wall: beyond the metal's own limit runs decide.
@@ -155,10 +156,10 @@ impl<'a> Cup<'a> {
             match plan.end {
                 End::Steep => kept = draws,
                 End::Tears if !is_single => {}
-                _ => return self.values(&plan),
+                _ => return Ok(plan),
             }
         }
-        self.values(&self.tried(kept, true)?)
+        self.tried(kept, true)
     }
 
     /// Radii of the punches in equal shares of what each draw takes.
@@ -189,7 +190,7 @@ impl<'a> Cup<'a> {
         let runs = if plan.blank.is_given() { 0 } else { RUNS };
         let mut is_coarse = draws > 1;
         for _ in 0..runs {
-            let text = self.values(&plan)?.fill(find("cup")?.text);
+            let text = self.values(&plan, false)?.fill(find("cup")?.text);
             let elements = (0.7 * rules::elements(plan.blank.value, self.part.nose) as f64) as usize;
             let coarse = if is_coarse { vec![format!("blank.elements={elements}")] } else { Vec::new() };
             let Ok(case) = parse(&text, "cup.toml", &coarse) else { break };
@@ -255,7 +256,8 @@ impl<'a> Cup<'a> {
         plan.radii.iter().enumerate().map(tools).collect()
     }
 
-    fn values(&self, plan: &Plan) -> Result<Values, CaseError> {
+    /// Values of a plan, with its ironing rings or without.
+    fn values(&self, plan: &Plan, is_ironed: bool) -> Result<Values, CaseError> {
         let (Self { inputs, sheet, .. }, Part { radius, height, flange, recess, .. }) = (self, self.part);
         let (blank, tools) = (plan.blank.clone(), self.tools(plan));
         let first = &tools[0];
@@ -272,7 +274,8 @@ impl<'a> Cup<'a> {
         self.describe(&tools, &mut sizes);
         let is_through = inputs.number("travel").is_none();
         sizes.lengths([("travel", &first.travel)]);
-        if is_through {
+        let walls = if is_ironed { self.walls(&tools[tools.len() - 1])? } else { Vec::new() };
+        if is_through && walls.is_empty() {
             sizes.lengths([("height", &Picked::input(height))]);
         }
         let (key, trimmed) = flange.map_or(("inside", radius), |flange| ("flange_diameter", flange));
@@ -286,10 +289,10 @@ impl<'a> Cup<'a> {
         } else if flange.is_none() && is_through {
             sizes.set("through", true, "");
         }
-        if tools.len() > 1 {
+        if tools.len() > 1 || !walls.is_empty() {
             // With usual elements the force oscillates as nodes leave the shoulder.
             sizes.elements(plan.blank.value, first.shoulder.value.min(self.part.nose), 2);
-            sizes.set("stages", self.redraws(&tools, pressure), "");
+            sizes.set("stages", self.later(&tools, pressure, &walls), "");
         }
         Ok(sizes)
     }
@@ -302,7 +305,8 @@ impl<'a> Cup<'a> {
         let radii: Vec<String> = tools.iter().map(|tools| plain(2.0 * tools.radius)).collect();
         sizes.set("kind", kind, "");
         sizes.set("part", format!("{kind}, drawn to inside diameters of {}", radii.join(", then ")), "");
-        sizes.set("end", if flange.is_some() { "flange" } else { "trimmed rim" }, "");
+        let end = if self.inputs.number("wall").is_some() { "trimmed rim before it is ironed" } else { "trimmed rim" };
+        sizes.set("end", if flange.is_some() { "flange" } else { end }, "");
         sizes.set("wall_height", plain(height), "");
         sizes.set("diameter", plain(2.0 * radius), "");
     }

@@ -3,9 +3,33 @@
 use super::*;
 use crate::writer::{recessed_punch, redraw::Ring};
 
+/// Share of the gap before that a ring leaves, declared: well within the 35 % of a pass; and the most rings.
+const RING: f64 = 0.75;
+const MOST_RINGS: f64 = 9.0;
+/// Radius of a ring's entry, and its land, over the sheet's thickness \[–\], declared.
+const ENTRY: f64 = 20.0;
+const LAND: f64 = 3.0;
+
 impl Cup<'_> {
-    /// Text of the stages after the first draw, with the holder's pressure of that \[MPa\].
-    pub(super) fn redraws(&self, tools: &[Tools], pressure: f64) -> String {
+    /// Thickness that each ironing ring leaves, in equal shares \[mm\].
+    pub(super) fn walls(&self, last: &Tools) -> Result<Vec<f64>, CaseError> {
+        self.inputs.only_with("rings", "wall")?;
+        let Some(wall) = self.inputs.number("wall") else { return Ok(Vec::new()) };
+        let Part { flange, step, recess, .. } = self.part;
+        let stays = flange.is_some() || step.is_some() || recess.is_some() || self.inputs.number("travel").is_some();
+        let what = || "a wall is ironed of a cup that is drawn through its die".to_owned();
+        ensure(!stays, what, "leave --wall out, or --flange, --step-radius, --recess and --travel")?;
+        let drawn = last.clearance.value;
+        let what = || format!("a wall of {} is not below the last draw's gap of {}", plain(wall), plain(drawn));
+        ensure(wall < drawn, what, "make --wall smaller, or leave it out")?;
+        let rings = self.inputs.pick("rings", || Picked::by(((wall / drawn).ln() / RING.ln()).ceil(), "")).value;
+        let what = || format!("--rings {rings} is no number of rings");
+        ensure(rings.fract() == 0.0 && (1.0..=MOST_RINGS).contains(&rings), what, "from 1 to 9; a larger --wall")?;
+        Ok((1..=rings as i32).map(|i| rounded(drawn * (wall / drawn).powf(f64::from(i) / rings))).collect())
+    }
+
+    /// Text of the stages after the first draw, with the holder's pressure of that \[MPa\], and of rings to these walls \[mm\].
+    pub(super) fn later(&self, tools: &[Tools], pressure: f64, walls: &[f64]) -> String {
         let (thickness, mut is_held, mut text) = (self.sheet.thickness, true, String::new());
         for (i, pair) in tools.windows(2).enumerate() {
             let [before, now] = [&pair[0], &pair[1]];
@@ -45,6 +69,25 @@ impl Cup<'_> {
             }
             is_held = has_sleeve;
             text += &stage.fill(include_str!("../redraw_stage.toml"));
+            text.push('\n');
+        }
+        let last = &tools[tools.len() - 1];
+        for (i, wall) in walls.iter().enumerate() {
+            let mut ring = Values::default();
+            let before = if i > 0 { walls[i - 1] } else { last.clearance.value };
+            let share = format!(", {:.0} % below the gap before", 100.0 * (1.0 - wall / before));
+            let [wall, name] = [plain(*wall), format!("\"iron-{}\"", i + 1)];
+            let texts = [("name", name), ("wall", wall), ("share", share)];
+            texts.into_iter().for_each(|(key, text)| ring.set(key, text, ""));
+            ring.set("friction", rounded(self.inputs.value("friction")), "");
+            let (shoulder, land) = (ENTRY * thickness, LAND * thickness);
+            let travel = rounded_up(HIGHER * last.cup * last.clearance.value / walls[i] + shoulder + land, 3);
+            let sizes = [("throat", last.radius + walls[i]), ("shoulder", shoulder), ("land", land), ("move", travel)];
+            sizes.into_iter().for_each(|(key, size)| ring.set(key, mm(size), ""));
+            if is_held && i == 0 {
+                ring.set("remove", "[\"holder\"]", "");
+            }
+            text += &ring.fill(include_str!("../ring_stage.toml"));
             text.push('\n');
         }
         text.trim_end().to_owned()
