@@ -165,6 +165,11 @@ impl Blank {
         self.zone(s).map_or(self.thickness, |zone| zone.thickness)
     }
 
+    /// Strains there before the run, as in [`Preform`] \[–\].
+    pub fn strains_at(&self, s: f64) -> [f64; 3] {
+        self.preform.as_ref().map_or([0.0; 3], |preform| preform.strains.each_ref().map(|strain| strain.at(s)))
+    }
+
     /// Thickness there before the run \[mm\].
     pub fn thickness_at(&self, s: f64) -> f64 {
         self.preform.as_ref().map_or_else(|| self.unformed_thickness(s), |preform| preform.thickness.at(s))

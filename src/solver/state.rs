@@ -109,13 +109,7 @@ impl State {
         let thickness: Vec<f64> = middles.iter().map(|s| model.blank.thickness_at(*s)).collect();
         let area = |w: &[Node]| Reference::new(model.geometry, model.blank.theory, w[0], w[1]).area();
         let volume = nodes.windows(2).zip(&thickness).map(|(w, t)| t * area(w)).collect();
-        let strains = |s: &f64| {
-            model
-                .blank
-                .preform
-                .as_ref()
-                .map_or([0.0; 3], |preform| preform.strains.each_ref().map(|strain| strain.at(*s)))
-        };
+        let strains = |s: &f64| model.blank.strains_at(*s);
         let point = |strain: f64| MaterialPoint {
             strain,
             porosity: model.material.gtn.map_or(0.0, |voids| voids.initial),
