@@ -65,8 +65,7 @@ fn advice_does_what_it_says() {
         let (change, gain) = text.split_once(": ").expect("a change and its gain");
         let (words, key) = keys.iter().find(|(words, _)| change.starts_with(words)).unwrap_or_else(|| panic!("{text}"));
         let set = format!("{key}={}", change.strip_prefix(words).expect("words").trim());
-        let changed = parsed(&solution.case.text, &[&set]).solve(&mut ());
-        let new = row(&changed, false, "wrinkling");
+        let new = row(&parsed(&solution.case.text, &[&set]).solve(&mut ()), false, "wrinkling");
         let amount = new.quantity.as_ref().expect("an index").amount;
         assert!(gain.ends_with(&format!("→ {amount}")), "{text}: {new:?}");
         assert!(i > 0 || new.light < Light::Red, "the best is first: {advised}");

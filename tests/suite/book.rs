@@ -194,8 +194,7 @@ fn what_a_page_names_of_the_code_is_there() {
                 Some(item) => {
                     items += 1;
                     let defined = format!(r"\b(fn|struct|enum|trait|const|mod|type) {}\b", item.as_str());
-                    let code = fs::read_to_string(&path).unwrap_or_default();
-                    Regex::new(&defined).expect("a pattern").is_match(&code)
+                    Regex::new(&defined).expect("a pattern").is_match(&fs::read_to_string(&path).unwrap_or_default())
                 }
             };
             if !is_there {

@@ -11,8 +11,7 @@ fn check_calls(dir: &Path, calls: &[Call]) {
         let done = stampflow(dir, args);
         let errors = text(&done.stderr).replace("\n  │ ", " ");
         assert_eq!(done.status.code(), Some(*code), "{args:?}: {errors}{}", text(&done.stdout));
-        let is_as_expected = if says.is_empty() { errors.is_empty() } else { errors.contains(says) };
-        assert!(is_as_expected, "{args:?}: {errors}");
+        assert!(if says.is_empty() { errors.is_empty() } else { errors.contains(says) }, "{args:?}: {errors}");
     }
 }
 

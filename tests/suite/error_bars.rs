@@ -78,8 +78,7 @@ fn programs_read_the_bars_that_are_asked_for() {
     }
 
     let run = json(dir.path(), "run cases/cup.toml --error-bars --json");
-    let verified = json(dir.path(), "verify cases/cup.toml --json");
-    let of_verify = numbers(&verified);
+    let of_verify = numbers(&json(dir.path(), "verify cases/cup.toml --json"));
     for (key, bar) in numbers(&run["verdict"]).into_iter().filter(|(_, bar)| bar.is_some()) {
         assert!(of_verify.contains(&(key.clone(), bar)), "{key} {bar:?} {of_verify:?}");
     }

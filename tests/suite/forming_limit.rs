@@ -173,8 +173,7 @@ fn stepped(stress: impl Fn(f64) -> f64, imperfection: f64, alpha: f64, step: f64
             let (of_groove, along, across) = factors(a);
             let increment = across / minor * step;
             let thinner = thickness * (major * increment - along * step).exp();
-            let force = stress(sheet + increment) / size - thinner * stress(groove + step) / of_groove;
-            (force, increment, thinner)
+            (stress(sheet + increment) / size - thinner * stress(groove + step) / of_groove, increment, thinner)
         };
         // Force falls as the groove turns to plane strain, where its minor strain and the sheet's increment vanish.
         let [ratio, _] = bisect(0.5, alpha + 0.3, 60, |a| tried(a).0 < 0.0);

@@ -87,8 +87,7 @@ fn distances_follow_the_moves() {
         for i in 0..200 {
             let x = Point::new(f64::from(i) * 0.4, f64::from((i * 7) % 31) - 15.3);
             let d = profile.closest(x).distance;
-            let image = Point::new(x.x, -x.y);
-            assert!((profile.mirrored().closest(image).distance - d).abs() < 1e-9);
+            assert!((profile.mirrored().closest(Point::new(x.x, -x.y)).distance - d).abs() < 1e-9);
             assert!((profile.reversed().closest(x).distance + d).abs() < 1e-9);
             let across = Profile::new(profile.pieces().iter().map(Piece::across_axis).collect()).unwrap().reversed();
             assert!((across.closest(Point::new(-x.x, x.y)).distance - d).abs() < 1e-9);
@@ -180,8 +179,7 @@ fn a_long_chain_is_gone_through_piece_by_piece() {
     // A wall is gone through along its height.
     let wall: Vec<[f64; 2]> = points.iter().map(|[x, y]| [*y, *x]).collect();
     assert_eq!(chain(&wall).fold(), None);
-    let back = [[100.0, 8.0], [50.0, 8.0], [50.000_05, -8.0]];
-    let crossing: Vec<[f64; 2]> = points.into_iter().chain(back).collect();
+    let crossing: Vec<[f64; 2]> = points.into_iter().chain([[100.0, 8.0], [50.0, 8.0], [50.000_05, -8.0]]).collect();
     assert!(matches!(chain(&crossing).fold(), Some(Fold::Crossing { pieces: [500_000, 1_000_002], .. })));
 }
 
@@ -217,11 +215,8 @@ fn points(list: &[[f64; 2]]) -> Vec<Point> {
 #[test]
 fn a_filleted_rectangle_is_the_flat_punch() {
     let exact = Profile::flat_punch(50.0, 9.0, 1.0);
-    let bottom = exact.last().y;
-    let corner = points(&[[0.0, -0.5], [50.0, -0.5], [50.0, bottom]]);
-    let pieces = fillet(&corner, &[0.0, 9.0, 0.0]).unwrap();
-    let profile = Profile::new(pieces).unwrap();
-    assert!(are_alike(&profile, &exact, 1e-9, falling(0.0, 4.0)));
+    let pieces = fillet(&points(&[[0.0, -0.5], [50.0, -0.5], [50.0, exact.last().y]]), &[0.0, 9.0, 0.0]).unwrap();
+    assert!(are_alike(&Profile::new(pieces).unwrap(), &exact, 1e-9, falling(0.0, 4.0)));
 }
 
 /// Trust: by hand. A right angle takes its radius from each side.
@@ -291,8 +286,7 @@ fn the_offset_of_a_punch_is_a_larger_punch() {
 #[test]
 fn a_tip_on_the_axis_is_a_corner() {
     let cone = chain(&[[0.0, 0.0], [10.0, -10.0], [10.0, -40.0]]);
-    let offset = cone.offset(2.0).unwrap();
-    assert_relative_eq!(offset.first(), Point::new(0.0, 2.0), epsilon = 1e-12);
+    assert_relative_eq!(cone.offset(2.0).unwrap().first(), Point::new(0.0, 2.0), epsilon = 1e-12);
     let dish = chain(&[[0.0, -10.0], [10.0, 0.0]]);
     assert!(matches!(dish.offset(2.0), Err(OffsetError::TooTight { radius: 0.0, .. })));
     assert_relative_eq!(cone.mirrored().offset(2.0).unwrap().last(), Point::new(0.0, -2.0), epsilon = 1e-12);

@@ -59,8 +59,7 @@ fn thick_sheets_are_drawn_without_a_holder() {
                  die = {{ throat = \"33.4 mm\", shoulder = \"8 mm\", friction = 0.08, land = \"6 mm\" }}\n"
             );
             let set = [format!("tools.die.{entry}"), format!("material.mode={mode}"), "blank.layers=9".into()];
-            let case = parsed(&text, &set.each_ref().map(String::as_str));
-            let run = solver::run(case.model(), &mut ());
+            let run = solver::run(parsed(&text, &set.each_ref().map(String::as_str)).model(), &mut ());
             assert!(run.stop.is_complete() || run.stop.is_physical(), "{kind} {entry} {mode}: {}", run.stop);
             let end = run.steps.last().expect("steps");
             assert!(end.thinnest > 0.8 * 3.0, "{kind} {entry} {mode}: {} mm", end.thinnest);

@@ -23,8 +23,7 @@ fn speed_torque_and_work_of_a_crank_are_those_of_the_closed_forms() {
         let work: f64 = heights.map(|height| drive.permitted(height) * 54.0 / f64::from(n)).sum();
         assert!((work / (torque * (top - end)) - 1.0).abs() < 1e-6, "{ratio}: {work}");
         assert!(drive.permitted(3.0) == 1.0 && drive.permitted(0.0) == 1.0);
-        let schedule = drive.schedule(60.0).expect("a crank that turns");
-        let &(time, travel) = schedule.points().last().expect("points");
+        let &(time, travel) = drive.schedule(60.0).expect("a crank that turns").points().last().expect("points");
         assert!((time - top / PI).abs() < 1e-12 && travel == 60.0, "{time} {travel}");
     }
     // sin φ of a crank without a rod: half the nominal lever arm, twice the force.

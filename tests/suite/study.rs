@@ -56,8 +56,7 @@ fn one_at_a_time_gives_the_sensitivity_of_each_key() {
     let table = run(&mut sweep, 2, &());
     assert_eq!(table.runs.len(), 6);
     assert_eq!(table.runs[0].numbers, table.base.numbers);
-    let force = table.response("punch_force").expect("a force");
-    let all = sweep.sensitivities(&table, force);
+    let all = sweep.sensitivities(&table, table.response("punch_force").expect("a force"));
     assert!(all.windows(2).all(|pair| pair[0].width() >= pair[1].width()) && all.iter().all(|s| s.axis < 2), "{all:?}");
 }
 
@@ -216,8 +215,7 @@ fn shards_are_merged_to_the_table_of_the_whole_study() {
         (vec![shards[0], "no.csv"], "no table of a study"),
         (shards.to_vec(), "m/study.csv is there, of a complete study; replace it with --restart"),
     ] {
-        let done = merge(&[&others[..], &["--restart"][usize::from(says.contains("--restart"))..]].concat());
-        ends(&done, 2, says);
+        ends(&merge(&[&others[..], &["--restart"][usize::from(says.contains("--restart"))..]].concat()), 2, says);
     }
     assert_eq!(read("m/study.csv"), read("whole/study.csv"));
 }

@@ -27,8 +27,7 @@ fn read(text: &str) -> Result<Csv, CsvError> {
 
 #[test]
 fn rows_know_their_lines_between_comments_and_empty_lines() {
-    let text = "# of a test\n\nr_mm , z_in\n0,1\n\n# between\n# two\n\"2\",\n  3 , 4\n";
-    let csv = read(text).unwrap();
+    let csv = read("# of a test\n\nr_mm , z_in\n0,1\n\n# between\n# two\n\"2\",\n  3 , 4\n").unwrap();
     assert_eq!(csv.header.line, 3);
     let rows: Vec<_> = csv.rows.iter().map(|row| (row.line, row.number(0), row.number(1))).collect();
     let number = |value: f64| Ok(Some(value));

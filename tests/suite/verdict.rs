@@ -101,7 +101,6 @@ fn answered(name: &str, overrides: &[&str]) -> (Answer, Vec<Finding>) {
 fn an_interrupted_run_is_not_red() {
     let case = shipped_case("quickstart", &[]);
     let stages = solve(&case.stages, &mut Stopper { steps: 5, iterations: usize::MAX });
-    let findings = judged(&case, &stages);
-    let answer = Answer::of(&case, &stages, &findings);
+    let answer = Answer::of(&case, &stages, &judged(&case, &stages));
     assert_eq!((answer.light, answer.sentence.to_string().as_str()), (Light::Amber, "interrupted by the user"));
 }

@@ -225,8 +225,7 @@ fn one_pressure_alone_is_raised_over_the_run() {
 fn superplastic_dome_holds_its_rate_and_follows_the_closed_forms() {
     let pole_error = |m: f64| {
         let overrides = [format!("material.rate.power.exponent={m}")];
-        let model = shipped("superplastic_dome", &[&overrides[0]]);
-        let run = solve(&model);
+        let run = solve(&shipped("superplastic_dome", &[&overrides[0]]));
         for r in &run.steps {
             // Trust: the corrector's tolerance; 1 % would be felt in the time of the cycle.
             assert!((r.held_rate / 1e-3 - 1.0).abs() < 1e-3, "{} at {} s", r.held_rate, r.time);
@@ -402,8 +401,7 @@ fn tools_that_meet_end_the_run() {
 
 #[test]
 fn a_run_ends_after_the_load_maximum_when_asked() {
-    let model = shipped("quickstart", &["tools.punch.travel=32 mm", "stop.load_drop=10 %"]);
-    let run = solver::run(&model, &mut ());
+    let run = solver::run(&shipped("quickstart", &["tools.punch.travel=32 mm", "stop.load_drop=10 %"]), &mut ());
     assert_eq!(run.stop.kind, StopKind::LoadMaximum);
     let drop = 1.0 - last(&run).punch_force / peak(&run);
     assert!((0.10..0.15).contains(&drop), "{drop}");

@@ -96,8 +96,7 @@ fn a_stage_much_shorter_than_the_sheet_is_thick_finds_equilibrium() {
         for moves in moves {
             let later = moves.iter().map(|(role, way)| stage(role.name(), moving(&draw, *role, *way, 0.0)));
             let stages: Vec<Stage> = [stage("draw", draw.clone())].into_iter().chain(later).collect();
-            let passes = solved(&stages);
-            let rejected: usize = passes.iter().flat_map(|pass| &pass.steps).map(|step| step.rejected).sum();
+            let rejected: usize = solved(&stages).iter().flat_map(|pass| &pass.steps).map(|step| step.rejected).sum();
             assert!(rejected <= 3, "{travel} mm {moves:?}: {rejected} rejected");
         }
     }

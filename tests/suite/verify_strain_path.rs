@@ -27,8 +27,7 @@ fn the_miss_of_the_strain_path_at_every_friction_is_as_the_book_has_it() {
         let [punch, die] = ["punch", "die"].map(|side| format!("friction.{side}_side={friction}"));
         let condition = format!("material.yield_condition={condition}");
         let given = [punch, die, format!("material.anisotropy={ratio}"), condition];
-        let case = shipped_case("surfalex_full_circle", &given.each_ref().map(String::as_str));
-        let solution = case.solve(&mut ());
+        let solution = shipped_case("surfalex_full_circle", &given.each_ref().map(String::as_str)).solve(&mut ());
         let comparison = solution.comparisons().expect("a reference").remove(0);
         let at = |major: f64| comparison.points.iter().find(|p| (p.x - major).abs() < 1e-9).expect("a point");
         let found = [0.1, 0.16, 0.2].map(|major| at(major).computed.unwrap_or(f64::NAN));

@@ -20,8 +20,7 @@ fn token(text: &str, rng: &mut Rng) -> Option<(usize, usize)> {
     let is_part = |c: char| c.is_alphanumeric() || "+-._".contains(c);
     let from = text.char_indices().map(|(i, _)| i).nth(rng.usize(..text.chars().count().max(1)))?;
     let start = from + text[from..].find(is_part)?;
-    let end = text[start..].find(|c| !is_part(c)).map_or(text.len(), |length| start + length);
-    Some((start, end))
+    Some((start, text[start..].find(|c| !is_part(c)).map_or(text.len(), |length| start + length)))
 }
 
 /// Another number or word.

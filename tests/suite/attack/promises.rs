@@ -52,6 +52,5 @@ pub fn of_picture(svg: &str, file: &str) {
 /// Of every summary: an object without an unknown value.
 pub fn of_json(text: &str) {
     let json: serde_json::Value = serde_json::from_str(text).expect("JSON");
-    let nulls = json.as_object().expect("an object").iter().filter(|(_, v)| v.is_null());
-    assert_eq!(nulls.count(), 0, "{json}");
+    assert_eq!(json.as_object().expect("an object").iter().filter(|(_, v)| v.is_null()).count(), 0, "{json}");
 }

@@ -90,8 +90,7 @@ fn measured(rng: &mut Rng, k: f64, n: f64) -> Table {
         last
     });
     let stress = stress.collect();
-    let beyond = if rng.bool() { Extrapolation::Hold } else { Extrapolation::Slope };
-    Table::new(strain, stress, beyond).expect("rising")
+    Table::new(strain, stress, if rng.bool() { Extrapolation::Hold } else { Extrapolation::Slope }).expect("rising")
 }
 
 /// A cone: flat face, corner of `nose`, wall that leans by `angle` from upright up to `radius`.
