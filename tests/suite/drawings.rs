@@ -289,8 +289,7 @@ fn a_wrong_unit_is_doubted() {
 #[test]
 fn a_doubtful_drawing_is_asked_about() {
     let dir = folder(Path::new("tests/drawings/ezdxf_lines_and_arcs.dxf"));
-    let path = dir.path().join("ezdxf_lines_and_arcs.dxf");
-    let drawing = fs::read_to_string(&path).unwrap().replace("\r\n", "\n");
+    let drawing = fs::read_to_string(dir.path().join("ezdxf_lines_and_arcs.dxf")).unwrap().replace("\r\n", "\n");
     let inches = Regex::new("(INSUNITS\n *70\n *)4\n").unwrap().replace(&drawing, "${1}1\n").into_owned();
     assert!(inches != drawing);
     fs::write(dir.path().join("inches.dxf"), inches).unwrap();

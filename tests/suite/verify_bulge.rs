@@ -64,7 +64,8 @@ fn at(poles: &[Pole], h: f64) -> Pole {
 /// The rows of the reference: h/a, thickness ratio, equivalent strain, p a/(σ t₀).
 fn reference() -> Vec<[f64; 4]> {
     let text = include_str!("../../reference_data/bulge_hill.csv");
-    text.lines().filter(|line| !line.starts_with('#')).skip(1).map(|row| {
+    let rows = text.lines().filter(|line| !line.starts_with('#')).skip(1);
+    rows.map(|row| {
         let values: Vec<f64> = row.split(',').map(|v| v.parse().expect("a number")).collect();
         values.try_into().expect("four columns")
     })

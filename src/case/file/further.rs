@@ -95,6 +95,19 @@ pub fn changed(
     Ok(new)
 }
 
+impl ToolContext<'_> {
+    /// Path of a tool's table.
+    pub fn table(&self, role: Role) -> String {
+        let name = self.name(role);
+        let place = self.written.further.iter().position(|tool| tool.name == name);
+        place.map_or_else(|| format!("tools.{name}"), |place| format!("tools.further.{place}"))
+    }
+
+    pub fn name(&self, role: Role) -> &str {
+        role.further().map_or(role.name(), |number| &self.further[number])
+    }
+}
+
 impl Further {
     pub fn role(&self, number: usize) -> Role {
         if self.above { Role::Upper(number as u8) } else { Role::Lower(number as u8) }

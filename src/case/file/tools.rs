@@ -230,17 +230,6 @@ pub struct ToolContext<'a> {
 }
 
 impl ToolContext<'_> {
-    /// Path of a tool's table.
-    pub fn table(&self, role: Role) -> String {
-        let name = self.name(role);
-        let place = self.written.further.iter().position(|tool| tool.name == name);
-        place.map_or_else(|| format!("tools.{name}"), |place| format!("tools.further.{place}"))
-    }
-
-    pub fn name(&self, role: Role) -> &str {
-        role.further().map_or(role.name(), |number| &self.further[number])
-    }
-
     pub fn keys(&self, role: Role) -> Option<ToolKeys<'_>> {
         self.written.keys().find(|tool| tool.role == role)
     }
