@@ -97,7 +97,7 @@ pub fn load_travel(stage: &StageSolution) -> Table {
     let others = [model.tool(Role::Pad).map(|_| &PAD_FORCE), model.blank.has_hole().then_some(&HOLE)];
     let fields = STEP.iter().chain(voids).chain(damage).chain(heat).chain(others.into_iter().flatten());
     let mut columns: Vec<Column> = fields.map(|field| field.column(extent, &stage.steps)).collect();
-    let die = stage.die_force().map(|force| ("die", force));
+    let die = model.tool_index(Role::Die).map(|die| ("die", stage.pressing(die)));
     columns.extend(die.into_iter().chain(stage.further_forces()).map(|(name, values)| {
         let key = name.to_lowercase().replace(|c: char| !c.is_alphanumeric(), "_");
         Column::new(format!("{key}_force"), format!("{} force", capitalised(name)), extent.force_unit(), values)

@@ -99,14 +99,9 @@ impl StageSolution {
     }
 
     /// Force with which a tool presses on the sheet at each of the steps \[N, or N/mm\].
-    fn pressing(&self, tool: usize) -> Vec<f64> {
+    pub fn pressing(&self, tool: usize) -> Vec<f64> {
         let side = self.model.tools[tool].role.side();
         self.tool_forces.iter().map(|forces| -side * forces[tool]).collect()
-    }
-
-    /// Force of the die likewise; none without a die.
-    pub fn die_force(&self) -> Option<Vec<f64>> {
-        self.model.tool_index(Role::Die).map(|die| self.pressing(die))
     }
 
     /// Frames before and after a release; `None` of other stages.
