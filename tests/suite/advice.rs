@@ -4,8 +4,7 @@
 mod verdicts;
 
 use crate::common::prelude::*;
-use stampflow::assess::advice;
-use stampflow::study::judge;
+use stampflow::{assess::advice, study::judge};
 
 fn solved(overrides: &[&str]) -> Solution {
     shipped_case("quickstart", overrides).solve(&mut ())

@@ -1,8 +1,7 @@
 //! The check of a case before it is run: its numbers by hand, its doubts, its text.
 
 use crate::common::prelude::*;
-use stampflow::assess::check::{Check, report};
-use stampflow::assess::{SIZE_CHECKS, before};
+use stampflow::assess::{SIZE_CHECKS, before, check::Check, check::report};
 
 fn quickstart(overrides: &[&str]) -> Case {
     shipped_case("quickstart", overrides)

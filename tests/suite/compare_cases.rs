@@ -1,8 +1,7 @@
 //! Cases, variants and measurements side by side: differences against their errors, pictures, misfits, wrong input.
 
 use crate::common::prelude::*;
-use stampflow::study::Cell;
-use stampflow::study::compare::{Candidate, SideBySide, variant};
+use stampflow::study::{Cell, compare::Candidate, compare::SideBySide, compare::variant};
 
 fn side_by_side(variants: &[&str]) -> SideBySide {
     let candidate =

@@ -1,8 +1,7 @@
 //! Drawings by other programs: each gives the profile that was drawn, a faulty one says what is wrong and where.
 
 use crate::common::prelude::*;
-use stampflow::import::{Sections, read};
-use stampflow::model::tool_sizes::extent;
+use stampflow::{import::Sections, import::read, model::tool_sizes::extent};
 
 fn sections(drawing: &str, options: &Options) -> Sections {
     let bytes = fs::read(Path::new("tests/drawings").join(drawing)).unwrap();

@@ -1,7 +1,6 @@
 //! The events of a stage, and whether they explain what its load curve does.
 
 use crate::common::prelude::*;
-use stampflow::Solution;
 use stampflow::measure::{Event, EventKind, events};
 
 fn solved(template: &str, overrides: &[&str]) -> Solution {

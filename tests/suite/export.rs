@@ -2,8 +2,7 @@
 
 use crate::common::prelude::*;
 use crate::drawings::assert_bends;
-use stampflow::export::{Drawing, Format};
-use stampflow::import::{self, Operation};
+use stampflow::{export::Drawing, export::Format, import, import::Operation};
 
 fn unsolved(case: Case) -> Solution {
     Solution { case, stages: vec![], wall: None }

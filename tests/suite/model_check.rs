@@ -2,7 +2,6 @@
 
 use crate::common::prelude::*;
 use stampflow::contact::friction::{PressureDependent, Stribeck, Tresca};
-use stampflow::solver::solve;
 
 const NUMBERS: [f64; 8] = [f64::NAN, 0.0, -0.0, -1.0, f64::INFINITY, f64::NEG_INFINITY, 1e300, 1e-300];
 const COUNTS: [usize; 4] = [0, 1, 2, usize::MAX];
@@ -223,7 +222,7 @@ fn a_stage_that_cannot_go_on_is_refused() {
     for change in changes {
         let mut second = first.clone();
         change(&mut second);
-        let solutions = solve(&[first.clone(), second], &mut ());
+        let solutions = solver::solve(&[first.clone(), second], &mut ());
         assert_eq!(solutions.len(), 2);
         assert_eq!(solutions[1].stop.kind, StopKind::Refused);
     }

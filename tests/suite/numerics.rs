@@ -4,7 +4,6 @@ use crate::common::prelude::*;
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 use stampflow::numerics::block_tridiagonal::{MAX_SHARED, System};
 use stampflow::numerics::least_squares::{Ended, Minimum, Parameter, minimise};
-use stampflow::numerics::quadrature::lobatto as rule;
 use stampflow::numerics::statistics::{quantile, rank_correlation, wilson};
 use stampflow::numerics::{Grid, Power};
 
@@ -57,7 +56,7 @@ fn rows_and_columns_are_kept_apart() {
 #[test]
 fn integrates_monomials_up_to_its_degree() {
     for n in 2..=51 {
-        let layers = rule(n);
+        let layers = lobatto(n);
         for degree in 0..=(2 * n - 3).min(40) {
             let sum: f64 = layers.iter().map(|l| l.weight * l.xi.powi(degree as i32)).sum();
             let exact = if degree % 2 == 0 { 1.0 / (degree as f64 + 1.0) } else { 0.0 };

@@ -3,10 +3,8 @@
 use crate::common::prelude::*;
 use stampflow::model::ContactMethod;
 use stampflow::plot::{Extra, FrameRecorder};
-use stampflow::solver::Observer;
 use stampflow::solver::trace::{TraceRequest, trace};
-use std::alloc::{GlobalAlloc, Layout, System};
-use std::cell::Cell;
+use std::{alloc::GlobalAlloc, alloc::Layout, alloc::System, cell::Cell};
 
 thread_local! {
     /// Allocations of this thread.

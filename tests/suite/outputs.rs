@@ -1,11 +1,7 @@
 //! What is made from a run: tables, files and pictures, over the whole list of outputs.
 
 use crate::common::prelude::*;
-use stampflow::case::files::sha256;
-use stampflow::plot::StageView;
-use stampflow::report::Report;
-use stampflow::results::Summary;
-use stampflow::table::Table;
+use stampflow::{case::files::sha256, plot::StageView, report::Report, results::Summary, table::Table};
 
 /// Cases, their stage, and the outputs that not every run has.
 const SPECIAL: [(&str, usize, &str); 7] = [

@@ -1,6 +1,5 @@
 //! Promises on written files: one whole set or the other, whatever ends a verb, and nothing of another origin is touched.
 
-use crate::common::cli::endless;
 use crate::common::prelude::*;
 use rayon::prelude::*;
 use stampflow::results::{can_write, write};

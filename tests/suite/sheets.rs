@@ -1,8 +1,7 @@
 //! The sheets of the library: fits against the points they are of, back-stresses, and every sheet on every template.
 
 use crate::common::prelude::*;
-use stampflow::material::rate::JohnsonCook;
-use stampflow::solve;
+use stampflow::{material::rate::JohnsonCook, solve};
 
 fn entry(name: &str) -> library::Entry {
     library::material(name).unwrap_or_else(|e| panic!("{name}: {}", e.render(false)))

@@ -116,8 +116,7 @@ fn a_groove_fitted_at_two_widths_gives_the_others_by_hosfords_condition() {
     let most =
         (0..widths.len()).filter_map(|i| fitted[1].miss(&widths[i])).fold(0.0_f64, |most, miss| most.max(miss.abs()));
     assert!(hosford.abs() < 0.5 * hill, "{hill} {hosford}");
-    told(
-        "docs/agreement.md",
+    agrees(
         "fitted at two of six widths: within {} by Hosford's condition, {} too high at the full circle by Hill's",
         &plain(&[most, hill], 3),
     );

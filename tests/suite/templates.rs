@@ -2,7 +2,6 @@
 
 use crate::common::prelude::*;
 use stampflow::author::templates::rules;
-use stampflow::solver::solve;
 
 /// Sizes away from the defaults: thin and thick sheet, sharp and round tools, other metals.
 const OTHERS: &[(&str, &[(&str, &str)])] = &[
@@ -231,7 +230,7 @@ fn the_sleeve_of_a_redraw_holds_the_sheet_with_its_force() {
                 Motion::Pressed(press) => press.force.largest(),
                 other => panic!("{other:?}"),
             });
-            let run = solve(&case.stages, &mut ()).pop().unwrap();
+            let run = solver::solve(&case.stages, &mut ()).pop().unwrap();
             assert_eq!(run.stop.kind, StopKind::LeftDie);
             // The rim tilts as it comes to the sleeve.
             for record in run.steps.iter().take_while(|record| record.travel < 50.0) {

@@ -2,7 +2,6 @@
 //! each at its own rate; and the verb `trace`.
 
 use crate::common::prelude::*;
-use stampflow::solver::Start;
 use stampflow::solver::trace::{ConvergenceRate, Trace, TraceRequest, trace};
 
 /// The iterations of a step, and the end of the run behind it.
@@ -67,7 +66,7 @@ fn each_matrix_comes_to_the_same_answer_at_its_own_rate() {
     let way = moved(&answers[0].nodes, &traced.before.nodes);
     for (history, answer) in traced.histories.iter().zip(&answers) {
         let first = &history.rows[0];
-        assert_eq!((first.start, first.iteration), (Start::Predictor, 0), "{:?}", history.matrix);
+        assert_eq!((first.start, first.iteration), (solver::Start::Predictor, 0), "{:?}", history.matrix);
         assert_eq!(first.residual_norm, traced.histories[0].rows[0].residual_norm, "the same predictor");
         assert!(moved(&answer.nodes, &answers[0].nodes) < 1e-6 * way, "{:?}", history.matrix);
     }
@@ -89,7 +88,7 @@ fn each_matrix_comes_to_the_same_answer_at_its_own_rate() {
 fn cut_off_and_contact_are_counted() {
     let first = quickstart(1, &[], None);
     let begin = &first.histories[0].rows[0];
-    assert_eq!((begin.start, begin.matrix), (Start::Secant, Iteration::Secant));
+    assert_eq!((begin.start, begin.matrix), (solver::Start::Secant, Iteration::Secant));
     assert_eq!(begin.cut_off, first.before.thickness.len(), "a sheet at rest");
     let midst = quickstart(40, &[], None);
     let end = midst.histories[0].rows.last().expect("an answer");

@@ -1,11 +1,8 @@
 //! Draw beads: those drawn in holder and die, over which the holder closes before the punch comes, and those given by their
 //! section, whose forces come from a strip that is pulled through.
 
-use crate::common::page::{agreement, percent};
 use crate::common::prelude::*;
-use stampflow::bead::{self, Drawn};
-use stampflow::model::Round;
-use stampflow::solver::{closing_way, solve};
+use stampflow::{bead, bead::Drawn, model::Round, solver::closing_way, solver::solve};
 
 /// Radii of the bead's tip and of its foot, and its height \[mm\].
 const TIP: f64 = 5.0;

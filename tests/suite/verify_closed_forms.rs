@@ -117,8 +117,7 @@ fn capstan_converges_to_the_exponential() {
         coarse_and_fine.push([errors[0], errors[2]]);
     }
     let [coarse, fine] = [0, 1].map(|i| signed(&[coarse_and_fine[0][i], coarse_and_fine[1][i]], 2));
-    told(
-        "docs/agreement.md",
+    agrees(
         "| capstan over a die shoulder, μ 0.05 and 0.15 | {} and {} % at 5 elements per 90°, {} and {} % at 20 |",
         &[coarse, fine].concat(),
     );
@@ -133,7 +132,7 @@ fn the_draw_die_s_punch_force_is_that_of_its_closed_form() {
     let tension: f64 = wall.split(',').next().and_then(|cell| cell.parse().ok()).expect("a number");
     let error = peak(&solve(&shipped("strip_draw", &[]))) / (2.0 * tension) - 1.0;
     let row = "| draw die (`strip_draw`), punch force {} N/mm on each half, {} N/mm in all | {} % |";
-    told("docs/agreement.md", row, &[plain(&[tension, 2.0 * tension], 1), signed(&[error], 1)].concat());
+    agrees(row, &[plain(&[tension, 2.0 * tension], 1), signed(&[error], 1)].concat());
     assert!(error.abs() < 1e-2, "{error}");
     // By the capstan equation any law carries that tension; the holder's pressure leaves an elastic membrane slack at first.
     for mode in ["elastic", "elasto_viscoplastic"] {

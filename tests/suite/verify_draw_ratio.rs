@@ -118,8 +118,7 @@ fn hardening_hardly_moves_it() {
     });
     told("n, at one tensile strength", &["0.1", "0.2", "0.3", "0.5"], &ratios);
     let above = |n: f64| (0.5 * std::f64::consts::E / n).powf(n);
-    page::told(
-        "docs/agreement.md",
+    agrees(
         "here it falls by {} % from 0.1 to 0.3 and rises from there. At the strains of the flange, near ½, the stress over the \
          tensile strength is (ε e/n)^n, {} at n = 0.1 and {} at 0.3.",
         &[plain(&[100.0 * (1.0 - ratios[2] / ratios[0])], 1), plain(&[above(0.1), above(0.3)], 2)].concat(),

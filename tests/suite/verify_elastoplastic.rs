@@ -224,8 +224,7 @@ fn a_disc_stretched_alike_carries_the_yield_stress_on_its_section() {
         worst = worst.max((found / force - 1.0).abs()).max((run.end.thickness[0] / thickness - 1.0).abs());
         ln_j = volume;
     }
-    told(
-        "docs/agreement.md",
+    agrees(
         "on the section t₀ exp(−2ε + ln J), ln J = {} % | within {} % |",
         &[plain(&[100.0 * ln_j], 2), at_most(worst)].concat(),
     );
@@ -352,8 +351,7 @@ fn thin_stretch_follows_the_continuum() {
     };
     let on_the_way = [5.4, 9.5, 13.5, 20.7, 29.9, 33.9].map(stiffer);
     let figures = on_the_way.map(|(travel, share)| [signed(&[share], 1), plain(&[travel], 1)].concat()).concat();
-    told(
-        "docs/agreement.md",
+    agrees(
         "in `stretch_thin`: {} % at {} mm of travel, {} % at {}, {} % at {}, {} % at {}, {} % at {}, {} % at {}. That",
         &figures,
     );
@@ -379,7 +377,7 @@ fn elastoplastic_law_and_flow_law_agree_on_drawn_cups() {
             assert!(run.steps.last().expect("steps").work.imbalance().abs() < 0.002, "{name}");
         }
     }
-    told("docs/agreement.md", "15 layers | Woo {} % at most, Chalmers {} % |", &signed(&largest, 1));
+    agrees("15 layers | Woo {} % at most, Chalmers {} % |", &signed(&largest, 1));
 }
 
 /// The opening angle of the bent strip before and after it is let go [°].
@@ -405,8 +403,7 @@ fn cylindrical_bending_springs_back_as_in_two_published_codes() {
     let others = [["blank.elements=320"], ["blank.layers=15"]].map(|other| opening(&other));
     assert!(others.iter().all(|other| (0..2).all(|i| (other[i] - angles[i]).abs() < 0.8)), "{others:?}");
     let published = [[1, 2], [3, 4]].map(|[a, b]| [values[a].min(values[b]), values[a].max(values[b])]).concat();
-    told(
-        "docs/agreement.md",
+    agrees(
         "| {}° and {}°; two published codes {}° to {}° and {}° to {}°. 320 elements: {}°; 15 points: {}°.",
         &plain(&[&angles[..], &published[..], &others.map(|other| other[1])[..]].concat(), 1),
     );

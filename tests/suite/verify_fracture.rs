@@ -2,7 +2,6 @@
 
 use crate::common::prelude::*;
 use stampflow::material::fracture::{CockcroftLatham, FractureStress, Oyane, RiceTracey};
-use stampflow::solver::state::State;
 
 const A: f64 = 0.424;
 const GROWTH: f64 = 0.283;

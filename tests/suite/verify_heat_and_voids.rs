@@ -64,7 +64,7 @@ fn adiabatic_softening_follows_its_closed_form() {
     };
     let (coarse, fine) = (error(0.04), error(0.01));
     let row = "closed form of an exponential law | {} % with 25 steps, {} % with 100 |";
-    told("docs/agreement.md", row, &signed(&[coarse, fine], 3));
+    agrees(row, &signed(&[coarse, fine], 3));
     assert!(coarse.abs() < 4e-4 && fine.abs() < 1e-4, "{coarse} {fine}");
 }
 
@@ -112,7 +112,7 @@ fn a_sheet_between_two_tools_cools_as_by_hand() {
     let middle = run.frames[0].elements.iter().find(|e| e.s0 > 20.0).expect("an element");
     let exact = 293.15 + 200.0 * (-2.0f64).exp();
     let row = "{} K off, of 200 K, after two time constants with 100 steps; heat balance 1e-9 |";
-    told("docs/agreement.md", row, &plain(&[(middle.temperature - exact).abs()], 1));
+    agrees(row, &plain(&[(middle.temperature - exact).abs()], 1));
     assert!((middle.temperature - exact).abs() < 0.01 * 200.0 * 2.0 * (-2.0f64).exp() + 0.3, "{}", middle.temperature);
     assert!((last.heat.stored / last.heat.tools - 1.0).abs() < 1e-9, "{:?}", last.heat);
     assert!(last.heat.tools < 0.0 && last.heat.plastic == 0.0);

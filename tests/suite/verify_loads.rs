@@ -2,8 +2,7 @@
 
 use crate::common::prelude::*;
 use crate::observer::Stopper;
-use stampflow::contact::friction::Sliding;
-use stampflow::model::PressureCap;
+use stampflow::{contact::friction::Sliding, model::PressureCap};
 
 /// Shear yield stress of the rope's material, Y = 150 MPa [MPa].
 const K: f64 = 86.602_540_378_443_86;
@@ -60,7 +59,7 @@ fn capstan_with_every_friction_law() {
     let of = ["coulomb", "pressure_dependent", "stribeck", "tresca"]
         .map(|law| errors.iter().find(|(name, _)| *name == law).expect("a law of the family").1);
     assert_eq!(errors.len(), of.len(), "the page has a figure for every law");
-    told("docs/agreement.md", "| Coulomb {} %, pressure-dependent {} %, Stribeck {} %, Tresca {} % |", &signed(&of, 2));
+    agrees("| Coulomb {} %, pressure-dependent {} %, Stribeck {} %, Tresca {} % |", &signed(&of, 2));
 }
 
 /// Trust: two methods for one problem. The penalty's foot, δ = 0.001 t, spreads the pressure at the ends of a bend, which
@@ -88,8 +87,7 @@ fn augmented_lagrangian_agrees_with_the_penalty() {
     let most = |of: &[f64]| of.iter().fold(0.0_f64, |most, change| most.max(change.abs()));
     let others: Vec<f64> = changes.iter().filter(|(case, _)| !named.contains(case)).map(|change| change.1).collect();
     let figures = [vec![deep_steps.to_string()], at_most(most(&of)), signed(&of, 2), at_most(most(&others))];
-    told(
-        "docs/agreement.md",
+    agrees(
         "below 1e-4 thicknesses, but for {} of all steps; peak within {} % (quickstart {}, brite {}, Chalmers {}, the others \
          within {}): the foot",
         &figures.concat(),
@@ -203,7 +201,7 @@ fn plane_strain_bulge_is_a_circular_arc() {
     }
     assert!(compared > 20, "{compared} steps beyond 5 mm");
     let row = "| plane-strain bulge, a circular arc of one thickness | pressure within {} % at equal height |";
-    told("docs/agreement.md", row, &at_most(worst));
+    agrees(row, &at_most(worst));
     assert!(last(&run).work.imbalance().abs() < 2e-3, "{}", last(&run).work.imbalance());
 }
 
@@ -243,8 +241,7 @@ fn superplastic_dome_holds_its_rate_and_follows_the_closed_forms() {
     };
     let found = [0.9, 0.6, 0.4].map(pole_error);
     let (errors, mean) = (found.map(|[pole, _]| pole), found.iter().fold(0.0_f64, |most, one| most.max(one[1].abs())));
-    told(
-        "docs/agreement.md",
+    agrees(
         "pole within {} % of (sin α/α)² at m = 0.9, mean thickness within {} % of a spherical cap's",
         &[at_most(errors[0].abs()), at_most(mean)].concat(),
     );
@@ -306,11 +303,7 @@ fn superplastic_long_box_follows_its_closed_form_before_contact() {
     let found = [25, 50, 100].map(worst_of);
     let (errors, orders) = (found.map(|f| f.0), orders(&[4.0, 2.0, 1.0], &found.map(|f| f.1)));
     assert!(orders.iter().all(|p| (p - 2.0).abs() < 0.05), "{orders:?}");
-    told(
-        "docs/agreement.md",
-        "| pressure, thickness and height within {} % with 100 elements, second order |",
-        &at_most(errors[2]),
-    );
+    agrees("| pressure, thickness and height within {} % with 100 elements, second order |", &at_most(errors[2]));
     // Trust: chords for an arc are second order in the number of elements, down to the corrector's tolerance.
     assert!(errors[2] < 2e-4, "{errors:?}");
     assert!(errors[1] < 0.3 * errors[0] && errors[2] < 0.5 * errors[1], "{errors:?}");

@@ -1,7 +1,6 @@
 //! A punch whose travel is given over time: where it is, what it does to sheet that feels the rate and to sheet that does not.
 
 use crate::common::prelude::*;
-use stampflow::material::rate::Rate;
 
 /// The quickstart with a history in place of its 25 mm at 1 mm/s.
 fn cup(motion: &str, overrides: &[&str]) -> Model {

@@ -46,12 +46,11 @@ fn every_shipped_case_runs_smoothly_to_its_full_travel() {
     );
     let (least, most) = ticks.iter().fold((f64::INFINITY, 0.0_f64), |ends, (_, t)| (ends.0.min(*t), ends.1.max(*t)));
     let ticks = plain(&[least, most], 2);
-    told(
-        "docs/agreement.md",
+    agrees(
         "| full travel, rejected steps in a case: {} at most; largest tick of the load {} to {} % of its peak |",
         &[vec![most_rejected.to_string()], ticks].concat(),
     );
-    told("docs/agreement.md", "| within {} % of the external work in the cases;", &at_most(missing));
+    agrees("| within {} % of the external work in the cases;", &at_most(missing));
 }
 
 /// A record of 300 measured points with scatter hardens the sheet as the law beneath it does.
@@ -157,7 +156,7 @@ fn doubling_elements_or_halving_steps_changes_little() {
     }
     for (what, changes) in ["elements doubled", "steps halved"].iter().zip(&changes) {
         let row = format!("| {what} | Woo: peak {{}} %, thinnest {{}} %; Chalmers: {{}} %, {{}} % |");
-        told("docs/agreement.md", &row, &signed(changes, 2));
+        agrees(&row, &signed(changes, 2));
     }
 }
 
@@ -180,7 +179,7 @@ fn woo_s_neck_hangs_on_the_friction_of_the_punch() {
         told(page, sentence, &[plain(&thinned[..4], 0), plain(&peaks[..4], 1)].concat());
     }
     let elements = "With 0.04 and twice and four times the elements {} and {} mm are left.";
-    told("docs/agreement.md", elements, &plain(&left[4..], 2));
+    agrees(elements, &plain(&left[4..], 2));
 }
 
 /// Trust: refinement, with no closed form: the changes as elements or steps are halved twice. Steps are of second order

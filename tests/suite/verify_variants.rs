@@ -4,8 +4,6 @@
 
 use crate::common::prelude::*;
 
-const AGREEMENT: &str = "docs/agreement.md";
-
 fn solved(name: &str, overrides: &[&str]) -> Solution {
     shipped_case(name, overrides).solve(&mut ())
 }
@@ -29,14 +27,14 @@ fn the_brite_part_hangs_on_its_friction() {
         2.0 * run.frames.last().and_then(|frame| frame.nodes.last()).expect("an edge").r
     });
     assert!(diameters.is_sorted_by(|a, b| a > b), "{diameters:?}");
-    told(AGREEMENT, "{} mm with 0.07, {} with 0.05, {} with 0.03.", &plain(&diameters, 1));
+    agrees("{} mm with 0.07, {} with 0.05, {} with 0.03.", &plain(&diameters, 1));
 
     let torn = with("0.1");
     assert_eq!(torn.stages[0].stop.kind, StopKind::Localised);
     let ended = plain(&[wall(&torn.case), torn.stages[0].end.travel], 0);
-    told(AGREEMENT, "which tears at {} kN: the run ends localised at {} mm.", &ended);
+    agrees("which tears at {} kN: the run ends localised at {} mm.", &ended);
     let held = 2.0 * 0.1 * 748.0 * (0.1 * FRAC_PI_2).exp();
-    told(AGREEMENT, "the holder alone holds back {} kN at the wall,", &plain(&[held], 0));
+    agrees("the holder alone holds back {} kN at the wall,", &plain(&[held], 0));
 }
 
 /// What a wall around the punch bears in plane strain \[kN\]: the largest c σ(c ε) exp(−ε) of its law.
@@ -60,13 +58,13 @@ fn the_erichsen_index_of_other_sheets_thicknesses_and_laws() {
     let index = |overrides: &[&str]| index_of(&solved("erichsen_304l", overrides));
     let thicknesses = ["0.5 mm", "1 mm", "1.5 mm", "2 mm"].map(|t| index(&[&format!("blank.thickness={t}")]));
     assert!(thicknesses.iter().all(|index| (index / thicknesses[1] - 1.0).abs() < 0.05), "{thicknesses:?}");
-    told(AGREEMENT, "With 0.5, 1.0, 1.5 and 2.0 mm the index is {}, {}, {} and {} mm,", &plain(&thicknesses, 1));
+    agrees("With 0.5, 1.0, 1.5 and 2.0 mm the index is {}, {}, {} and {} mm,", &plain(&thicknesses, 1));
 
     let friction = ["0.02", "0.15"].map(|mu| {
         index(&["tools.punch", "tools.die"].map(|tool| format!("{tool}.friction={mu}")).each_ref().map(String::as_str))
     });
     assert!(friction.iter().all(|index| (index / thicknesses[1] - 1.0).abs() < 0.1), "{friction:?}");
-    told(AGREEMENT, "Friction 0.02 gives {} mm, 0.15 gives {};", &plain(&friction, 1));
+    agrees("Friction 0.02 gives {} mm, 0.15 gives {};", &plain(&friction, 1));
 
     let points = include_str!("../../reference_data/aisi304l_bar_flow_curve.csv");
     let curve = FlowCurve::read(points, "points.csv", &Reduction::default()).expect("a curve");
@@ -79,12 +77,12 @@ fn the_erichsen_index_of_other_sheets_thicknesses_and_laws() {
     let by_swift = index_of(&case.solve(&mut ()));
     assert!(by_swift < thicknesses[1], "Swift's hardens less beyond the points: {by_swift}");
     let figures = [plain(&[100.0 * off.fold(0.0, f64::max)], 0), plain(&[by_swift], 1)].concat();
-    told(AGREEMENT, "Swift's law through the same points, {} % off at most, {};", &figures);
+    agrees("Swift's law through the same points, {} % off at most, {};", &figures);
 
     let others = [index(&["blank.elements=400"]), index(&["material.mode=elasto_viscoplastic"])];
-    told(AGREEMENT, "400 elements {}, the elastoplastic law {}.", &plain(&others, 1));
+    agrees("400 elements {}, the elastoplastic law {}.", &plain(&others, 1));
     let sheets = ["drawing-steel", "aa5754-o"].map(|name| index(&[&format!("material.name={name}")]));
-    told(AGREEMENT, "The deep-drawing steel of the library has an index of {} mm, AA5754-O {}.", &plain(&sheets, 1));
+    agrees("The deep-drawing steel of the library has an index of {} mm, AA5754-O {}.", &plain(&sheets, 1));
     // The book's table of sheets made from a band.
     for row in include_str!("../../benches/measured/made_sheets.csv").lines().skip(1) {
         let [name, shown, ..] = row.split(',').collect::<Vec<_>>()[..] else { panic!("{row}") };
@@ -101,11 +99,10 @@ fn the_split_ring_hangs_on_the_yield_condition_and_on_where_it_is_cut() {
     let opening = |solution: &Solution, ring: Ring| ring.opening(&solution.stages).expect("an opening");
     let hill = opening(&solved("split_ring", &["material.yield_condition=hill48"]), ring);
     let both = [opening(&solution, ring), hill];
-    told(AGREEMENT, "its ring opens by {} mm (by Hill's by {}),", &plain(&both, 2));
+    agrees("its ring opens by {} mm (by Hill's by {}),", &plain(&both, 2));
     let cut = [4.0, 6.0, 12.0].map(|from| opening(&solution, Ring { from, ..ring }));
     assert!(cut[2] < cut[1] && cut[2] < both[0], "{cut:?}");
-    told(
-        AGREEMENT,
+    agrees(
         "by {} mm if it is cut 4 mm over the bottom, by {} at 6 mm and by {} at 12 mm, where the rim is ironed.",
         &plain(&cut, 1),
     );
@@ -135,8 +132,7 @@ fn the_hat_springs_back_by_what_the_law_remembers() {
     }
     let figures =
         [throughout, flow, at_last].map(|[wall, flange, curl]| [plain(&[wall, flange], 1), plain(&[curl], 0)].concat());
-    told(
-        AGREEMENT,
+    agrees(
         "elastoplastic throughout {}°, {}°, {} mm; flow and then D(E, ν) {}°, {}°, {} mm (the same with a constant stiffness); \
          flow to 60 of 70 mm, then elastoplastic: {}°, {}°, {} mm",
         &figures.concat(),

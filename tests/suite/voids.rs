@@ -1,9 +1,7 @@
 //! The voided law against closed forms, differences and an integration of its own.
 
 use crate::common::prelude::*;
-use stampflow::material::PointLaw;
-use stampflow::material::flow::Iterate;
-use stampflow::material::gtn::{Evolution, Gtn};
+use stampflow::material::{PointLaw, flow::Iterate, gtn::Evolution};
 
 /// Of strain or stress: s, θ and shear.
 type Triple = [f64; 3];

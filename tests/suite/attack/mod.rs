@@ -11,9 +11,8 @@ mod promises;
 
 use crate::common::prelude::*;
 use mutate::mutated;
-use stampflow::case::CaseError;
-use stampflow::plot::svg;
 use stampflow::results::{Results, comparison::comparisons, csv};
+use stampflow::{case::CaseError, plot::svg};
 use std::{sync::mpsc::channel, time::Instant};
 
 /// A cup without its punch's section, and what is read beside it.

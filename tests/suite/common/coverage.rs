@@ -1,11 +1,9 @@
 //! Error bars held against a truth that is eight times finer in each direction.
 
-use stampflow::Stage;
 use stampflow::assess::error_bars::{ErrorBars, Number, Origin};
-use stampflow::case::{self, Case};
 use stampflow::forming_limit::{Kind, Sheet, Swift};
-use stampflow::model::{Beginning, Model};
 use stampflow::study::verify::{Direction, Outcome, verify};
+use stampflow::{Stage, case, case::Case, model::Beginning, model::Model};
 
 /// How many times finer the truth is \[–\].
 const TRUTH: f64 = 8.0;

@@ -30,6 +30,11 @@ pub fn agreement(begins: &str, rest: &[String]) {
     hold("docs/agreement.md", shown, |_| format!("{begins} {} |", rest.join(" | ")));
 }
 
+/// Holds a sentence of `docs/agreement.md` to its figures, as [`told`] does.
+pub fn agrees(sentence: &str, figures: &[String]) {
+    told("docs/agreement.md", sentence, figures);
+}
+
 /// Holds a sentence of a file of the project to its figures: each `{}` of it is one of them. It may go over lines of a text, and
 /// of a comment.
 pub fn told(file: &str, sentence: &str, figures: &[String]) {

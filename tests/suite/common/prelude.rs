@@ -1,10 +1,10 @@
 //! Names that several files of tests use.
 
-pub use crate::common::cli::{COMPARE, CUP, STAGES, ends, folder, read_json, stampflow, text};
+pub use crate::common::cli::{COMPARE, CUP, STAGES, endless, ends, folder, read_json, stampflow, text};
 pub use crate::common::convergence::{orders, orders_of_changes};
 pub use crate::common::cup::{LAW, MINIMAL};
 pub use crate::common::files::{below, files};
-pub use crate::common::page::{agreement, at_most, percent, plain, signed, told};
+pub use crate::common::page::{agreement, agrees, at_most, percent, plain, signed, told};
 pub use crate::common::random_die;
 pub use crate::common::shipped::{self, DRAWN, findings, last, loaded, made, mean, owned, parsed, peak, row, shipped};
 pub use crate::common::shipped::{shipped_case, solve, solved, solved_once};

@@ -1,11 +1,10 @@
 //! Random sections in the range that press shops use, made from a seed: for the campaign and for tests.
 
 use fastrand::Rng;
-use stampflow::case::library;
 use stampflow::geometry::{Arc, Piece, Point, Profile, Segment};
 use stampflow::material::hardening::{Branch, Extrapolation, Hollomon, Ludwik, PiecewisePower, Swift, Table, Voce};
-use stampflow::material::{Hardening, Material};
 use stampflow::model::{Blank, Edge, Geometry, Model, Motion, Norm, Press, Role, Settings, Tool};
+use stampflow::{case::library, material::Hardening, material::Material};
 use std::f64::consts::FRAC_PI_2;
 
 /// The kinds of section.
