@@ -3,10 +3,6 @@
 use crate::common::prelude::*;
 use stampflow::assess::{SIZE_CHECKS, before, check::Check, check::report};
 
-fn quickstart(overrides: &[&str]) -> Case {
-    shipped_case("quickstart", overrides)
-}
-
 pub fn value(check: &Check, label: &str) -> f64 {
     let line = check.lines.iter().find(|line| line.label == label).unwrap_or_else(|| panic!("no {label}"));
     line.number.expect("a number")
@@ -15,7 +11,7 @@ pub fn value(check: &Check, label: &str) -> f64 {
 /// Trust: hand calculation. R_m = k n^n exp(offset − n) for Swift; flange π(55² − 37.25²) mm²; β = 55/30.
 #[test]
 fn numbers_of_the_quickstart_are_those_of_a_hand_calculation() {
-    let check = report(&quickstart(&[]));
+    let check = report(&shipped_case("quickstart", &[]));
     let strength = 520.0 * 0.22_f64.powf(0.22) * (0.005_f64 - 0.22).exp();
     assert_relative_eq!(value(&check, "tensile strength"), strength, max_relative = 1e-4);
     let area = PI * (55.0 * 55.0 - 37.25 * 37.25);
@@ -39,15 +35,14 @@ fn every_doubt_has_its_warning() {
         (&["blank.thickness=0.03 mm", "tools.die.throat=30.04 mm"], "slenderness"),
     ];
     for (overrides, key) in doubts {
-        let found = before(&quickstart(overrides));
+        let found = before(&shipped_case("quickstart", overrides));
         assert!(found.iter().any(|finding| finding.key == key), "{overrides:?}: {found:?}");
     }
     // A weak law is to blame, not the holder.
-    let weak = before(&quickstart(&["material.hardening.swift.k=520 kPa"]));
+    let weak = before(&shipped_case("quickstart", &["material.hardening.swift.k=520 kPa"]));
     assert!(weak.iter().all(|finding| finding.key != "holder_pressure"), "{weak:?}");
 }
 
-/// What is shipped has the sizes of stampings.
 #[test]
 fn no_shipped_case_is_doubted() {
     let cases = files("cases", "toml");

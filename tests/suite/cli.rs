@@ -111,7 +111,6 @@ fn every_bad_case_of_a_command_is_named_and_the_good_one_runs() {
     assert!(out.join("cup/summary.json").is_file() && !out.join("curved").exists());
 }
 
-/// A title, notes, names of files, columns and keys: nothing that a terminal obeys comes out of any of them.
 #[test]
 fn no_control_character_reaches_the_terminal() {
     let obeyed = "\u{1b}]0;owned\u{7}\u{1b}[31m\u{9b}2J";

@@ -178,9 +178,9 @@ fn splines_are_followed_within_their_tolerance() {
 }
 
 /// A folder with one drawing.
-fn folder(drawing: &Path) -> temp_dir::TempDir {
-    let dir = temp_dir::TempDir::new().unwrap();
-    fs::copy(drawing, dir.path().join(drawing.file_name().unwrap())).unwrap();
+fn folder(drawing: impl AsRef<Path>) -> TempDir {
+    let (dir, path) = (TempDir::new().unwrap(), Path::new("tests/drawings").join(drawing));
+    fs::copy(&path, dir.path().join(path.file_name().unwrap())).unwrap();
     dir
 }
 
@@ -193,7 +193,7 @@ fn faulty_drawings_give_the_expected_messages() {
     let update = std::env::var_os("UPDATE").is_some();
     let mut wrong = Vec::new();
     for path in &faulty {
-        let dir = folder(path);
+        let dir = folder(path.strip_prefix("tests/drawings").unwrap());
         let name = path.file_name().unwrap().to_str().unwrap();
         let done = stampflow(dir.path(), &["import", name]);
         let found = text(&done.stderr);
@@ -216,14 +216,13 @@ fn faulty_drawings_give_the_expected_messages() {
 #[test]
 fn an_imported_case_can_be_checked_and_run() {
     for (drawing, more) in [
-        ("ezdxf_lines_and_arcs", &[][..]),
-        ("tarikjabiri_bulges", &["--thickness", "0.9 mm", "--travel", "5 mm", "--geometry", "plane_strain"]),
-        ("ezdxf_splines", &["--tolerance", "0.01 mm"]),
-        ("ezdxf_operations", &["--thickness", "1 mm", "--travel", "30 mm"]),
+        ("ezdxf_lines_and_arcs.dxf", &[][..]),
+        ("tarikjabiri_bulges.dxf", &["--thickness", "0.9 mm", "--travel", "5 mm", "--geometry", "plane_strain"]),
+        ("ezdxf_splines.dxf", &["--tolerance", "0.01 mm"]),
+        ("ezdxf_operations.dxf", &["--thickness", "1 mm", "--travel", "30 mm"]),
     ] {
-        let dir = folder(&Path::new("tests/drawings").join(drawing).with_extension("dxf"));
-        let file = format!("{drawing}.dxf");
-        ends(&stampflow(dir.path(), &[&["import", &file, "-o", "cases/die.toml"], more].concat()), 0, "");
+        let dir = folder(drawing);
+        ends(&stampflow(dir.path(), &[&["import", drawing, "-o", "cases/die.toml"], more].concat()), 0, "");
         assert!(fs::metadata(dir.path().join("cases/die.png")).unwrap().len() > 10_000);
         for args in [&["check", "cases/die.toml"][..], &["run", "cases/die.toml", "--quiet", "--no-advice"]] {
             ends(&stampflow(dir.path(), args), 0, "");
@@ -231,11 +230,12 @@ fn an_imported_case_can_be_checked_and_run() {
     }
 }
 
-fn imported(name: &str, args: &[&str]) -> (Case, String) {
-    let dir = folder(&Path::new("tests/drawings").join(name));
-    let done = stampflow(dir.path(), &[&["import", name, "-o", "made.toml"], args].concat());
+/// The case that a drawing gives, and what is printed.
+fn imported(drawing: &str, args: &[&str]) -> (Case, String) {
+    let dir = folder(drawing);
+    let done = stampflow(dir.path(), &[&["import", drawing, "-o", "made.toml"], args].concat());
     ends(&done, 0, "");
-    (case::load(dir.path().join("made.toml"), &[]).unwrap(), text(&done.stdout).to_owned() + text(&done.stderr))
+    (loaded(dir.path().join("made.toml"), &[]), text(&done.stdout).to_owned() + text(&done.stderr))
 }
 
 fn check_value(case: &Case, label: &str) -> f64 {
@@ -262,8 +262,7 @@ fn an_import_picks_material_friction_and_pressure_as_new_does() {
 /// behind it 9 mm more. Its top is 46.9 mm, the throat 44.45 mm. Sizes are written to a micrometre.
 #[test]
 fn a_cone_wider_than_its_die_is_drawn_as_far_as_it_fits() {
-    let args = ["--travel", "25 mm", "--blank-radius", "91 mm"];
-    let (given, _) = imported("ezdxf_cone_inches.dxf", &args);
+    let (given, _) = imported("ezdxf_cone_inches.dxf", &["--travel", "25 mm", "--blank-radius", "91 mm"]);
     let slope = 0.36_f64.atan();
     let mouth = 25.4 * (0.95 + 0.25 * (FRAC_PI_4 - 0.5 * slope).tan()) + 0.36 * 25.0;
     assert!((check_value(&given, "draw ratio") - 91.0 / mouth).abs() < 6e-4);
@@ -275,25 +274,26 @@ fn a_cone_wider_than_its_die_is_drawn_as_far_as_it_fits() {
     assert!(check_value(&picked, "clearance") >= 1.0 && check_value(&picked, "draw ratio") < 2.0);
 }
 
-/// Inches read as mm: the punch is 1.18 mm and the gap 0.05 mm.
+/// Trust: of the drawing in inches read as mm the punch is 1.18 mm and the gap 0.05 mm; that in mm, 180 mm wide, would be 4.6 m as
+/// inches of a wrong header. Without its punch it makes no run.
 #[test]
-fn a_wrong_unit_is_doubted() {
+fn a_doubtful_drawing_is_asked_about() {
     for (unit, is_doubted) in [("mm", true), ("m", true), ("in", false)] {
         let (_, printed) = imported("ezdxf_inches.dxf", &["--unit", unit]);
         assert!(printed.contains("warning: ") == is_doubted, "{unit}: {printed}");
     }
-}
-
-/// Trust: the drawing is in mm, 180 mm wide; as inches of a wrong header it would be 4.6 m. Without its punch it makes no run.
-#[test]
-fn a_doubtful_drawing_is_asked_about() {
-    let dir = folder(Path::new("tests/drawings/ezdxf_lines_and_arcs.dxf"));
-    let drawing = fs::read_to_string(dir.path().join("ezdxf_lines_and_arcs.dxf")).unwrap().replace("\r\n", "\n");
-    let inches = Regex::new("(INSUNITS\n *70\n *)4\n").unwrap().replace(&drawing, "${1}1\n").into_owned();
-    assert!(inches != drawing);
-    fs::write(dir.path().join("inches.dxf"), inches).unwrap();
+    let dir = folder("ezdxf_lines_and_arcs.dxf");
+    for (name, header, wrong) in
+        [("ezdxf_inches", "${1}4\n", "mm.dxf"), ("ezdxf_lines_and_arcs", "${1}1\n", "inches.dxf")]
+    {
+        let drawing = fs::read_to_string(format!("tests/drawings/{name}.dxf")).unwrap().replace("\r\n", "\n");
+        let other = Regex::new("(INSUNITS\n *70\n *)[14]\n").unwrap().replace(&drawing, header).into_owned();
+        assert!(other != drawing);
+        fs::write(dir.path().join(wrong), other).unwrap();
+    }
     for (args, code, says) in [
-        (&["inches.dxf"][..], 2, "--unit mm"),
+        (&["mm.dxf"][..], 2, "try --unit in"),
+        (&["inches.dxf"], 2, "--unit mm"),
         (&["inches.dxf", "--unit", "mm"], 0, ""),
         (&["inches.dxf", "--unit", "mm"], 2, "--force"),
         (&["inches.dxf", "--unit", "in", "--force"], 0, ""),
@@ -345,7 +345,6 @@ fn long_drawings_are_read_or_refused_by_their_number() {
     assert!(error.contains("has a gap of 0.02 mm"), "{error}");
 }
 
-/// What other programs write between the entities, and what is no number where one has to be.
 #[test]
 fn groups_that_are_no_shape_are_passed_over_and_damage_is_named_by_its_line() {
     let line = |more: &str| drawing(&format!("0\nLINE\n5\nA1\n8\npunch\n{more}10\n0\n20\n0\n11\n30\n21\n9\n"));
@@ -412,7 +411,6 @@ fn layers_with_numbers_are_stages() {
     assert!((extent(second.tool(Role::Die).unwrap()).0 - 31.5).abs() < 1e-6);
 }
 
-/// Every layer of the trade is its tool without being told.
 #[test]
 fn layers_are_understood_in_three_languages() {
     let english = fs::read_to_string("tests/drawings/ezdxf_lines_and_arcs.dxf").unwrap();

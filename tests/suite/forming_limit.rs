@@ -198,7 +198,6 @@ fn the_groove_in_biaxial_stretching_is_what_small_steps_give() {
     }
 }
 
-/// More hardening, a shallower groove and more rate dependence all raise the limit; a vanishing rate changes nothing.
 #[test]
 fn the_groove_is_monotone_and_has_its_rate_free_limit() {
     let limit = |n: f64, m: f64, f: f64, beta: f64| {

@@ -211,24 +211,16 @@ fn points(list: &[[f64; 2]]) -> Vec<Point> {
     list.iter().map(|p| Point::from(*p)).collect()
 }
 
-/// Trust: the flat punch is three points and one fillet.
-#[test]
-fn a_filleted_rectangle_is_the_flat_punch() {
-    let exact = Profile::flat_punch(50.0, 9.0, 1.0);
-    let pieces = fillet(&points(&[[0.0, -0.5], [50.0, -0.5], [50.0, exact.last().y]]), &[0.0, 9.0, 0.0]).unwrap();
-    assert!(are_alike(&Profile::new(pieces).unwrap(), &exact, 1e-9, falling(0.0, 4.0)));
-}
-
 /// Trust: by hand. A right angle takes its radius from each side.
 #[test]
 fn the_largest_radius_is_named_and_fits() {
     let step = points(&[[0.0, 0.0], [10.0, 0.0], [10.0, -6.0], [30.0, -6.0]]);
-    let error = fillet(&step, &[0.0, 4.0, 4.0, 0.0]).unwrap_err();
-    assert_eq!(error.vertex, 1);
-    assert_relative_eq!(error.largest, 3.0, epsilon = 1e-12);
-    let error = fillet(&step, &[0.0, 1.0, 8.0, 0.0]).unwrap_err();
-    assert_eq!(error.vertex, 2);
-    assert_relative_eq!(error.largest, 5.0, epsilon = 1e-12);
+    let refused = |radii: [f64; 2]| fillet(&step, &[0.0, radii[0], radii[1], 0.0]).unwrap_err();
+    for (radii, vertex, largest) in [([4.0, 4.0], 1, 3.0), ([1.0, 8.0], 2, 5.0)] {
+        assert_eq!(refused(radii).vertex, vertex);
+        assert_relative_eq!(refused(radii).largest, largest, epsilon = 1e-12);
+    }
+    let error = refused([1.0, 8.0]);
     assert!(fillet(&step, &[0.0, 1.0, error.largest, 0.0]).is_ok());
     assert!(error.to_string().contains("r = 10.0000 mm, z = -6.0000 mm: at most 5.0000 mm"), "{error}");
 }
@@ -273,13 +265,6 @@ proptest! {
         prop_assert_eq!(profile.first(), chain[0]);
         prop_assert_eq!(profile.last(), chain[chain.len() - 1]);
     }
-}
-
-/// Trust: the standard shapes know their own offsets.
-#[test]
-fn the_offset_of_a_punch_is_a_larger_punch() {
-    let offset = Profile::flat_punch(50.0, 9.0, 1.0).offset(1.2).unwrap();
-    assert!(are_alike(&offset, &Profile::flat_punch(51.2, 10.2, 1.0).shifted(1.2), 1e-9, falling(0.0, 4.0)));
 }
 
 /// Trust: around a tip on the axis the offset is an arc of radius `by`, its top above the tip.

@@ -8,28 +8,15 @@ const PAGE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/known_outcomes.md"
 /// Outcomes on the press, then the light that none of them asks for.
 const OUTCOMES: [&str; 6] = ["whole", "torn", "wrinkled", "ironed", "sprung back", "refused otherwise"];
 
-/// Row of the table.
-struct Part {
-    file: &'static str,
-    outcome: &'static str,
-    grade: &'static str,
-    source: &'static str,
-    name: &'static str,
-    reason: &'static str,
-}
-
-fn parts() -> Vec<Part> {
+/// Rows of the table: file, outcome on the press, grade, source, name, and the reason of a miss.
+fn parts() -> Vec<[&'static str; 6]> {
     let rows = TABLE.lines().skip(1).map(|row| row.split(',').collect::<Vec<_>>());
-    rows.map(|row| {
-        let [file, outcome, grade, source, name, reason] = row[..] else { panic!("{row:?}") };
-        Part { file, outcome, grade, source, name, reason }
-    })
-    .collect()
+    rows.map(|row| row.try_into().expect("six cells")).collect()
 }
 
 /// Outcome by the lights: a tear or wrinkles by the failure mode, ironing by its row, spring-back by the case's tolerance.
-fn outcome_by_the_lights(part: &Part) -> &'static str {
-    let case = loaded(format!("{FOLDER}/{}.toml", part.file), &[]);
+fn outcome_by_the_lights(file: &str, outcome: &str) -> &'static str {
+    let case = loaded(format!("{FOLDER}/{file}.toml"), &[]);
     let stages = solver::solve(&case.stages, &mut ());
     let findings = assess::after(&case, &stages);
     let ironed = findings.iter().any(|finding| finding.key == "ironing" && finding.value() > Some(1.0));
@@ -37,8 +24,8 @@ fn outcome_by_the_lights(part: &Part) -> &'static str {
         Some(FailureMode::Tears) => "torn",
         Some(FailureMode::Wrinkles) => "wrinkled",
         Some(_) => "refused otherwise",
-        None if part.outcome == "ironed" && ironed => "ironed",
-        None if part.outcome == "sprung back" => "sprung back",
+        None if outcome == "ironed" && ironed => "ironed",
+        None if outcome == "sprung back" => "sprung back",
         None => "whole",
     }
 }
@@ -48,22 +35,21 @@ fn outcome_by_the_lights(part: &Part) -> &'static str {
 fn nine_of_ten_known_outcomes_are_those_of_the_lights() {
     let parts = parts();
     let found: Vec<&str> = std::thread::scope(|scope| {
-        let runs: Vec<_> = parts.iter().map(|part| scope.spawn(|| outcome_by_the_lights(part))).collect();
+        let runs: Vec<_> = parts.iter().map(|part| scope.spawn(|| outcome_by_the_lights(part[0], part[1]))).collect();
         runs.into_iter().map(|run| run.join().expect("a run")).collect()
     });
     let mut counts: BTreeMap<(&str, &str), usize> = BTreeMap::new();
     let mut misses = String::from("| part | on the press | by the lights | grade | why |\n|---|---|---|---|---|\n");
     let (mut right, mut unexplained) = (0, Vec::new());
-    for (part, light) in parts.iter().zip(&found) {
-        *counts.entry((part.outcome, light)).or_default() += 1;
-        if part.outcome == *light {
+    for ([file, outcome, grade, _, name, reason], light) in parts.iter().zip(&found) {
+        *counts.entry((outcome, light)).or_default() += 1;
+        if outcome == light {
             right += 1;
             continue;
         }
-        if part.reason.is_empty() {
-            unexplained.push(format!("{}: {} on the press, {light} by the lights", part.file, part.outcome));
+        if reason.is_empty() {
+            unexplained.push(format!("{file}: {outcome} on the press, {light} by the lights"));
         }
-        let Part { name, outcome, grade, reason, .. } = part;
         writeln!(misses, "| {name} | {outcome} | {light} | {grade} | {reason} |").expect("a string");
     }
     let mut matrix = format!("| on the press | {} |\n|---|{}\n", OUTCOMES.join(" | "), "---|".repeat(OUTCOMES.len()));
@@ -94,13 +80,13 @@ fn every_known_outcome_has_its_case_and_its_grade() {
     let parts = parts();
     let cases = files(FOLDER, "toml");
     let names: BTreeSet<&str> = cases.iter().map(|path| path.file_stem().unwrap().to_str().unwrap()).collect();
-    assert_eq!(names, parts.iter().map(|part| part.file).collect());
-    for Part { file, outcome, grade, source, .. } in &parts {
+    assert_eq!(names, parts.iter().map(|part| part[0]).collect());
+    for [file, outcome, grade, source, ..] in &parts {
         let text = std::fs::read_to_string(format!("{FOLDER}/{file}.toml")).expect("readable");
         assert!(text.contains(&format!("# Source: {source}. Grade {grade}.\n")), "{file}");
         assert!(OUTCOMES[..5].contains(outcome) && ["A", "B", "C"].contains(grade), "{file}: {outcome} {grade}");
         assert_eq!(*grade == "C", source.starts_with("declared: "), "{file}: an assumption says so");
     }
-    let assumed = parts.iter().filter(|part| part.grade == "C").count();
+    let assumed = parts.iter().filter(|part| part[2] == "C").count();
     assert!(parts.len() >= 30 && 3 * assumed <= parts.len(), "{assumed} of {} are assumptions", parts.len());
 }

@@ -95,7 +95,6 @@ fn bands_are_named_by_the_tools_that_made_them() {
     }
 }
 
-/// Taking the tools away moves no place of the sheet into another band.
 #[test]
 fn a_part_keeps_its_bands_when_its_tools_are_gone() {
     for case in ["hat_springback", "stages_cup"] {

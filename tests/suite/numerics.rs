@@ -17,7 +17,7 @@ fn a_root_is_bracketed_from_either_side() {
 }
 
 #[test]
-fn values_are_interpolated_and_held() {
+fn values_are_interpolated_and_held_and_a_rising_one_is_found() {
     let history = PiecewiseLinear::new(vec![(1.0, 10.0), (3.0, 20.0), (4.0, 0.0)]).expect("rising");
     for (x, value) in [(0.0, 10.0), (1.0, 10.0), (2.0, 15.0), (3.0, 20.0), (3.5, 10.0), (9.0, 0.0)] {
         assert_eq!(history.at(x), value);
@@ -27,10 +27,6 @@ fn values_are_interpolated_and_held() {
     for falling in [vec![], vec![(1.0, 0.0), (1.0, 2.0)], vec![(1.0, 0.0), (f64::NAN, 2.0)]] {
         assert_eq!(PiecewiseLinear::new(falling), None);
     }
-}
-
-#[test]
-fn a_rising_value_is_found() {
     let history = PiecewiseLinear::new(vec![(0.0, 0.0), (2.0, 10.0), (3.0, 30.0)]).expect("rising");
     for (x, value) in [(0.0, 0.0), (1.0, 5.0), (2.0, 10.0), (2.5, 20.0), (3.0, 30.0)] {
         assert_eq!((history.at(x), history.reaches(value)), (value, x));

@@ -4,10 +4,6 @@ use crate::common::prelude::*;
 use crate::study::run;
 use stampflow::study::Scatter;
 
-fn scatter(vary: &[&str], runs: u64, seed: u32) -> Result<Scatter, StudyError> {
-    scatter_of(&[], vary, runs, seed)
-}
-
 fn scatter_of(set: &[&str], vary: &[&str], runs: u64, seed: u32) -> Result<Scatter, StudyError> {
     let set = owned(&[&["blank.elements=24", "solver.max_step=0.06"], set].concat());
     Scatter::new(BaseCase::load("cases/quickstart.toml", set).expect("a case"), &owned(vary), runs, seed)
@@ -23,7 +19,7 @@ fn values(scatter: &mut Scatter) -> Vec<Vec<f64>> {
 #[test]
 fn the_sample_fills_each_variable_evenly() {
     let vary = ["friction=uniform 0..0.64", "blank.thickness=uniform 0.8..1.2 mm"];
-    let sample = |seed| values(&mut scatter(&vary, 64, seed).expect("a scatter"));
+    let sample = |seed| values(&mut scatter_of(&[], &vary, 64, seed).expect("a scatter"));
     let one = sample(7);
     for (coordinate, (low, width)) in [(0.0, 0.01), (0.8, 0.4 / 64.0)].into_iter().enumerate() {
         let mut slices: Vec<usize> = one.iter().map(|v| ((v[coordinate] - low) / width) as usize).collect();
@@ -36,7 +32,7 @@ fn the_sample_fills_each_variable_evenly() {
 /// Trust: a force that rises with the friction alone is ranked as the friction is; its median is that of the middle.
 #[test]
 fn a_number_that_follows_one_variable_has_its_ranks_and_its_median() {
-    let mut scatter = scatter(&["friction=uniform 0.05..0.11"], 32, 1).expect("a scatter");
+    let mut scatter = scatter_of(&[], &["friction=uniform 0.05..0.11"], 32, 1).expect("a scatter");
     let table = run(&mut scatter, 2, &());
     let (events, spreads) = scatter.result(&table);
     let force = table.response("punch_force").expect("a force");

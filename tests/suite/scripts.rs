@@ -77,7 +77,6 @@ fn materials_templates_drawings_and_checks_answer_in_json() {
     assert!(json(dir.path(), "schema").is_object() && !dir.path().join("out").exists());
 }
 
-/// Arguments, the file and the line that the error names.
 #[test]
 fn errors_are_json_where_it_is_asked_for() {
     let dir = folder(&CUP.replace("thickness =", "thicknes ="));

@@ -3,14 +3,10 @@
 use crate::common::prelude::*;
 use stampflow::{material::rate::JohnsonCook, solve};
 
-fn entry(name: &str) -> library::Entry {
-    library::material(name).unwrap_or_else(|e| panic!("{name}: {}", e.render(false)))
-}
-
 /// Trust: the least squares of its points, Ludwik's of the curve, which `fit` finds again, and Johnson and Cook's of the rates.
 #[test]
 fn the_laws_of_the_stainless_bar_are_least_squares_of_its_points() {
-    let own = entry("aisi304l-bar").material;
+    let own = library::material("aisi304l-bar").expect("a sheet").material;
     assert_eq!(own.hardening, Hardening::Ludwik(Ludwik::new(225.1, 1235.0, 0.7286).expect("in range")));
     assert_eq!(own.rate, Some(Rate::JohnsonCook(JohnsonCook { coefficient: 0.0214, reference: 0.00315 })));
 }
@@ -19,7 +15,7 @@ fn the_laws_of_the_stainless_bar_are_least_squares_of_its_points() {
 /// (1, −½, −½) dε̄ and |dε| = √(3/2) dε̄; the stress along the bar is 3/2 of the deviator's. First order in 1e5 steps.
 #[test]
 fn the_back_stresses_of_aluminium_are_those_of_the_source_in_our_form() {
-    let material = entry("AA5754-O").elastoplastic.expect("back-stresses");
+    let material = library::material("AA5754-O").expect("a sheet").elastoplastic.expect("back-stresses");
     let end = 0.05;
     let step = end / 1e5;
     for (law, (c, kappa)) in material.chaboche.iter().zip([(115.5, 0.0885), (11_500.0, 0.01676)]) {
@@ -36,7 +32,7 @@ fn the_back_stresses_of_aluminium_are_those_of_the_source_in_our_form() {
 /// its cubics are within 0.3 % of it between them. Below 1 % the source's second back-stress rises faster than its curve.
 #[test]
 fn tension_of_the_aluminium_is_the_measured_curve_with_back_stresses_and_without() {
-    let entry = entry("aa5754-o");
+    let entry = library::material("aa5754-o").expect("a sheet");
     let shifting = entry.elastoplastic.as_ref().expect("back-stresses");
     let of = |strain: f64| shifting.monotonic(strain, 0.0).stress;
     let curve = |strain: f64| 292.14 - 189.39 * (-13.5 * strain).exp();

@@ -17,7 +17,6 @@ fn judged(case: &Case, passes: &[StageSolution]) -> Vec<Finding> {
     findings
 }
 
-/// Rows that are not green.
 #[test]
 fn shipped_cases_have_their_lights() {
     for line in include_str!("../golden/lights.csv").lines().skip(1) {
@@ -28,7 +27,6 @@ fn shipped_cases_have_their_lights() {
     }
 }
 
-/// Rows of the quickstart with overrides: key, light, failure mode.
 #[test]
 fn overrides_have_their_lights_and_failure_modes() {
     let torn =

@@ -6,7 +6,6 @@
 //! Forming handbook, "Punch radius". That the friction of the punch helps it and n hardly moves it is in every textbook;
 //! none could be read.
 
-use crate::common::page::{self, listed};
 use crate::common::prelude::*;
 
 /// Punch radius of the quickstart's cup \[mm\].
@@ -50,7 +49,7 @@ fn limits(key: &str, values: &[&str], rest: &[&str]) -> Vec<f64> {
 /// Holds the row of the book's table.
 fn told(what: &str, values: &[&str], ratios: &[f64]) {
     let values = values.iter().map(|value| value.trim_end_matches(" mm")).collect::<Vec<_>>();
-    agreement(what, &[values.join(", "), listed(ratios, 3)]);
+    agreement(what, &[values.join(", "), plain(ratios, 3).join(", ")]);
 }
 
 fn rises(ratios: &[f64]) -> bool {
@@ -87,9 +86,8 @@ fn it_rises_with_the_anisotropy() {
         limits("material.anisotropy", &["0.6", "2"], &["material.yield_condition={ hosford = { crystal = \"bcc\" } }"]);
     assert!(rises(&ferrite) && ferrite[1] < 2.5, "{ferrite:?}");
     assert!(ferrite[1] - ferrite[0] < 0.5 * (ratios[2] - ratios[0]), "{ferrite:?} {ratios:?}");
-    let rounded = plain(&ratios, 1);
     let sentence = "by this program's own runs with Hill's condition {} at r̄ 0.6, {} at r̄ 1, {} at r̄ 2";
-    page::told("docs/glossary.md", sentence, &rounded);
+    crate::common::page::told("docs/glossary.md", sentence, &plain(&ratios, 1));
 }
 
 /// Trust: the punch's friction takes load off the sheet that bends over the nose; that of die and holder adds to it.

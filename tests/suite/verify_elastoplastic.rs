@@ -233,9 +233,7 @@ fn a_disc_stretched_alike_carries_the_yield_stress_on_its_section() {
 /// A clamped elastic disc under a small pressure; its deflection in the middle [mm].
 fn deflection(elements: usize, length: f64, pressure: f64) -> f64 {
     let mut model = simple::pulled(Geometry::Axisymmetric, Theory::Bending, 1.0);
-    model.blank.length = length;
-    model.blank.elements = elements;
-    model.blank.edge = Edge::Clamped;
+    model.blank = Blank { length, elements, edge: Edge::Clamped, ..model.blank };
     model.travel = 0.0;
     (model.mode, model.material.elastic) = (Mode::Elastic, Some(STEEL));
     model.gas = vec![Gas { face: Face::Lower, pressure: pressure.into(), within: length }];
@@ -278,9 +276,7 @@ fn elastica(elements: usize) -> [f64; 2] {
     let quarter = 0.5 * length;
     let shortened = 2.0 * quarter * (2.0 - 2.0 * second / first);
     let mut model = simple::pulled(Geometry::PlaneStrain, Theory::Bending, shortened);
-    model.blank.length = length;
-    model.blank.elements = elements;
-    model.blank.edge = Edge::Pulled { speed: -1.0 };
+    model.blank = Blank { length, elements, edge: Edge::Pulled { speed: -1.0 }, ..model.blank };
     (model.mode, model.material.elastic) = (Mode::Elastic, Some(STEEL));
     // A breath of pressure tells it which way to go, and fades.
     let pressure = PiecewiseLinear::new(vec![(0.0, 0.02), (shortened, 0.0)]).expect("valid");

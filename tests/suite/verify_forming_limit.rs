@@ -32,7 +32,6 @@ fn a_stretched_sheet_reaches_its_limit_where_it_thins() {
     assert!(pole.major > SHORTEST && (pole.major - pole.minor).abs() < 0.05 * pole.major, "{pole:?}");
 }
 
-/// A higher curve is reached later or not at all, and the margin grows by what the curve grows.
 #[test]
 fn another_curve_moves_the_margin_and_not_the_sheet() {
     let points = |top: f64| format!("forming_limit.points=[[-0.5, {}], [0, {top}], [0.2, {top}]]", top + 0.5);

@@ -147,7 +147,6 @@ fn damage_goes_from_stage_to_stage() {
     }
 }
 
-/// Rows of the quickstart: Brozzo's critical value, light, failure, and parts of the text.
 #[test]
 fn fracture_has_its_light() {
     for (critical, light, failures, parts) in [

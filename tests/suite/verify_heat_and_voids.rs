@@ -150,8 +150,6 @@ fn heat_is_conducted_along_the_sheet() {
     assert!(in_time.iter().all(|p| (p - 1.0).abs() < 0.1), "{in_time:?}");
 }
 
-/// The plain result, bit for bit: a sheet at room temperature, one whose temperature does not matter, and one that is
-/// heated by nothing.
 #[test]
 fn a_temperature_that_does_not_matter_changes_nothing() {
     let model = simple::pulled(Geometry::Axisymmetric, Theory::Bending, 6.0);

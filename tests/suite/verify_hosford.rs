@@ -1,7 +1,6 @@
 //! Whole runs with Hosford's yield condition: closed forms, Hill's as its limit, and the elastic mode beside the flow mode.
 
 use crate::common::prelude::*;
-use crate::common::shipped::shipped_case as case;
 
 /// Trust: one metal written twice; both runs stop their iterations at the solver's tolerance of 1e-4 of the velocities, whose
 /// square is what forces miss.
@@ -14,7 +13,7 @@ fn a_cup_with_exponent_two_is_hills() {
             let condition = format!("material.yield_condition={condition}");
             let overrides: Vec<&str> =
                 common.iter().map(String::as_str).chain(elastic).chain([condition.as_str()]).collect();
-            run(case("quickstart", &overrides).model(), &mut ())
+            run(shipped_case("quickstart", &overrides).model(), &mut ())
         };
         let (hill, hosford) = (cup("\"hill48\""), cup("{ hosford = { exponent = 2 } }"));
         assert_eq!(hill.steps.len(), hosford.steps.len(), "{mode}");
@@ -31,7 +30,7 @@ fn a_cup_with_exponent_two_is_hills() {
 fn both_modes_agree_where_nothing_unloads() {
     let end = |mode: &str| {
         let mode = format!("material.mode=\"{mode}\"");
-        *last(&run(case("stretch_limit", &[&mode, HOSFORD, "tools.punch.travel=\"20 mm\""]).model(), &mut ()))
+        *last(&run(shipped_case("stretch_limit", &[&mode, HOSFORD, "tools.punch.travel=\"20 mm\""]).model(), &mut ()))
     };
     let [flow, elastic] = ["flow", "elasto_viscoplastic"].map(end);
     assert!((flow.travel - elastic.travel).abs() < 1e-9);
@@ -46,16 +45,17 @@ const HOSFORD: &str = "material.yield_condition={ hosford = { crystal = \"fcc\" 
 fn a_stretched_dome_of_aluminium_thins_less_than_by_hills_condition() {
     let thinnest = |condition: &str| {
         let condition = format!("material.yield_condition={condition}");
-        last(&run(case("stretch_limit", &[&condition, "tools.punch.travel=\"20 mm\""]).model(), &mut ())).thinnest
+        last(&run(shipped_case("stretch_limit", &[&condition, "tools.punch.travel=\"20 mm\""]).model(), &mut ()))
+            .thinnest
     };
     let (hill, hosford) = (thinnest("\"hill48\""), thinnest("{ hosford = { crystal = \"fcc\" } }"));
     assert!(hosford > hill);
 }
 
-/// Spring-back follows the condition through both stages.
 #[test]
 fn a_released_hat_springs_back_with_it() {
-    let hat = case("hat_springback", &["material.yield_condition={ hosford = { crystal = \"bcc\" } }"]).solve(&mut ());
+    let hat = shipped_case("hat_springback", &["material.yield_condition={ hosford = { crystal = \"bcc\" } }"])
+        .solve(&mut ());
     assert!(hat.is_complete());
 }
 

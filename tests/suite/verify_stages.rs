@@ -40,8 +40,7 @@ fn solved(stages: &[Stage]) -> Vec<StageSolution> {
 #[test]
 fn a_stage_begins_with_the_sheet_that_the_one_before_left() {
     let draw = cup(10.0);
-    let passes = solve(&[stage("draw", draw.clone())], &mut ());
-    let left = &passes[0].end;
+    let left = &run(&draw, &mut ()).end;
     let mut back = moving(&draw, Role::Punch, -5.0, 0.0);
     back.speed = 2.0 * draw.speed;
     let entered = enter(&stage("next", back), &draw, left.clone());
@@ -158,8 +157,7 @@ fn a_die_goes_aside() {
 #[test]
 fn trimming_takes_the_rim_and_nothing_else() {
     let draw = cup(10.0);
-    let passes = solve(&[stage("draw", draw.clone())], &mut ());
-    let left = &passes[0].end;
+    let left = &run(&draw, &mut ()).end;
     let mut cut = stage("cut", moving(&draw, Role::Punch, 1.0, 0.0));
     cut.begin.trim = Some(45.0);
     let state = enter(&cut, &draw, left.clone());
@@ -193,8 +191,7 @@ fn annealing_takes_strain_and_stress_and_leaves_the_shape() {
     let hard = soft.clone();
     soft.begin.anneal = true;
     let force = |next: &Stage| last(&solved(&[stage("draw", draw.clone()), next.clone()])[1]).punch_force;
-    let passes = solve(&[stage("draw", draw.clone())], &mut ());
-    let left = &passes[0].end;
+    let left = &run(&draw, &mut ()).end;
     let state = enter(&soft, &draw, left.clone());
     assert!(state.points.iter().all(|p| p.strain == 0.0 && p.stress == [0.0; 3] && p.carried == [0.0; 3]));
     assert_eq!((&state.nodes, &state.membrane, &state.thickness), (&left.nodes, &left.membrane, &left.thickness));

@@ -139,7 +139,6 @@ fn the_hat_springs_back_by_what_the_law_remembers() {
     );
 }
 
-/// A hot flange lets the cup be drawn to its full travel; cold it tears on the way.
 #[test]
 fn the_warm_cup_tears_when_it_is_cold() {
     let cold = ["heat.initial", "heat.die.temperature", "heat.holder.temperature"].map(|key| format!("{key}=25 °C"));
@@ -149,7 +148,6 @@ fn the_warm_cup_tears_when_it_is_cold() {
     told("cases/warm_cup.toml", "A run that goes on there ends by a neck at {} mm.", &plain(&[travel], 0));
 }
 
-/// Voids that join end a run that Woo's cup without them goes on from.
 #[test]
 fn the_voids_of_the_porous_cup_join_on_a_longer_way() {
     let solution = solved("woo_porous", &["tools.punch.travel=45 mm"]);

@@ -3,7 +3,6 @@
 pub mod cli;
 pub mod convergence;
 pub mod coverage;
-pub mod cup;
 pub mod files;
 pub mod page;
 pub mod prelude;

@@ -87,11 +87,6 @@ pub fn at_most(share: f64) -> Vec<String> {
     plain(&[(100.0 * share / unit - 1e-9).ceil() * unit], decimals)
 }
 
-/// Numbers of a cell, `1.2, 3.4`.
-pub fn listed(values: &[f64], decimals: usize) -> String {
-    plain(values, decimals).join(", ")
-}
-
 /// Shares of a cell as signed percentages, `+1.2, −3.4 %`.
 pub fn percent(shares: &[f64], decimals: usize) -> String {
     signed(shares, decimals).join(", ") + " %"

@@ -1,8 +1,7 @@
 //! Names that several files of tests use.
 
-pub use crate::common::cli::{COMPARE, CUP, STAGES, endless, ends, folder, read_json, stampflow, text};
+pub use crate::common::cli::{COMPARE, CUP, LAW, MINIMAL, STAGES, endless, ends, folder, read_json, stampflow, text};
 pub use crate::common::convergence::{orders, orders_of_changes};
-pub use crate::common::cup::{LAW, MINIMAL};
 pub use crate::common::files::{below, files};
 pub use crate::common::page::{agreement, agrees, at_most, percent, plain, signed, told};
 pub use crate::common::random_die;
