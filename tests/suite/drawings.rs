@@ -282,12 +282,12 @@ fn a_doubtful_drawing_is_asked_about() {
         let (_, printed) = imported("ezdxf_inches.dxf", &["--unit", unit]);
         assert!(printed.contains("warning: ") == is_doubted, "{unit}: {printed}");
     }
-    let dir = folder("ezdxf_lines_and_arcs.dxf");
+    let (dir, unit) = (folder("ezdxf_lines_and_arcs.dxf"), Regex::new("(INSUNITS\n *70\n *)[14]\n").unwrap());
     for (name, header, wrong) in
         [("ezdxf_inches", "${1}4\n", "mm.dxf"), ("ezdxf_lines_and_arcs", "${1}1\n", "inches.dxf")]
     {
         let drawing = fs::read_to_string(format!("tests/drawings/{name}.dxf")).unwrap().replace("\r\n", "\n");
-        let other = Regex::new("(INSUNITS\n *70\n *)[14]\n").unwrap().replace(&drawing, header).into_owned();
+        let other = unit.replace(&drawing, header).into_owned();
         assert!(other != drawing);
         fs::write(dir.path().join(wrong), other).unwrap();
     }

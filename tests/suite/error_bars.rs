@@ -41,7 +41,6 @@ fn whether_it_tears_is_said_alike_with_and_without_bars() {
     assert!(half < 30.0 && row(&findings).light == Light::Green, "{:?}", row(&findings));
 }
 
-/// Ctrl-C while the finer runs are solved: the run stays, and says that it has no bars.
 #[test]
 fn what_is_interrupted_has_no_bars_and_says_so() {
     let solution = shipped_case("quickstart", &["blank.elements=20"]).solve(&mut ());

@@ -11,17 +11,8 @@ const TOLERANCE: f64 = 1e-9;
 
 /// Columns of the iteration, not of its answer: round-off moves them, and the imbalance of work is a small difference of large
 /// numbers. `thickest_s0_mm` of `hat_springback` is one of two places of equal thickness.
-const NUMERICAL: [&str; 9] = [
-    "velocity_norm",
-    "residual_norm",
-    "iterations",
-    "rejected",
-    "steps_from_predictor",
-    "steps_from_secant",
-    "steps_from_softened",
-    "imbalance_percent",
-    "thickest_s0_mm",
-];
+const NUMERICAL: &str = "velocity_norm residual_norm iterations rejected steps_from_predictor steps_from_secant \
+                         steps_from_softened imbalance_percent thickest_s0_mm";
 
 fn digest(values: &[f64]) -> Digest {
     let weighted = values.iter().enumerate().map(|(i, v)| v * ((i % 7) + 1) as f64).sum();
@@ -60,7 +51,7 @@ fn every_shipped_case_has_its_golden_numbers() {
     let mut wrong = Vec::new();
     for (file, expected) in &files {
         let computed = columns(&out.child(file));
-        for (column, golden) in expected.iter().filter(|(column, _)| !NUMERICAL.contains(&column.as_str())) {
+        for (column, golden) in expected.iter().filter(|(column, _)| !NUMERICAL.split(' ').any(|one| one == column)) {
             let near = |new: &Digest| (0..4).all(|i| (new[i] - golden[i]).abs() <= TOLERANCE * golden[3] * 7.0);
             if !computed.get(column).is_some_and(near) {
                 wrong.push(format!("{file} {column}: {golden:?} became {:?}", computed.get(column)));

@@ -321,14 +321,9 @@ fn thin_stretch_follows_the_continuum() {
     let model = shipped("stretch_thin", &[]);
     let flow = solve(&model);
     let run = solve(&Model { mode: Mode::ElastoViscoplastic, ..model });
-    let text = include_str!("../../reference_data/stretch_solid_fe.csv");
-    let points = text.lines().filter_map(|line| {
-        let (travel, force) = line.split_once(',')?;
-        Some((travel.parse::<f64>().ok()?, force.parse::<f64>().ok()?))
-    });
-    let points: Vec<(f64, f64)> = points.collect();
-    let judged = points.iter().filter(|(travel, _)| (2.6..=33.0).contains(travel));
-    let miss = |&(travel, force): &(f64, f64)| (travel, 100.0 * (force_at(&run, travel) / force - 1.0));
+    let points = numbers(include_str!("../../reference_data/stretch_solid_fe.csv"));
+    let judged = points.iter().filter(|[travel, _]| (2.6..=33.0).contains(travel));
+    let miss = |&[travel, force]: &[f64; 2]| (travel, 100.0 * (force_at(&run, travel) / force - 1.0));
     let misses: Vec<(f64, f64)> = judged.map(miss).collect();
     let within = |from: f64| {
         let far = misses.iter().filter(|(travel, _)| *travel >= from).map(|(_, miss)| *miss);
@@ -341,8 +336,8 @@ fn thin_stretch_follows_the_continuum() {
     );
     // The flow law has no elasticity: how much that is, at the continuum's point next to a travel.
     let stiffer = |near: f64| {
-        let next = points.iter().min_by(|a, b| (a.0 - near).abs().total_cmp(&(b.0 - near).abs()));
-        let &(travel, force) = next.expect("points");
+        let next = points.iter().min_by(|a, b| (a[0] - near).abs().total_cmp(&(b[0] - near).abs()));
+        let &[travel, force] = next.expect("points");
         (travel, force_at(&flow, travel) / force - 1.0)
     };
     let on_the_way = [5.4, 9.5, 13.5, 20.7, 29.9, 33.9].map(stiffer);

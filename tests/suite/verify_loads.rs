@@ -374,9 +374,8 @@ fn tools_that_meet_end_the_run() {
     drive_to(&mut model, 40.0);
     let run = solver::run(&model, &mut ());
     assert_eq!(run.stop.kind, StopKind::ToolsClosed);
-    let travel = run.end.travel;
-    let punch = &model.tools[0].profile;
-    let gap = punch.distance_to(&model.tools[1].profile, stampflow::geometry::Point::new(0.0, travel)).0;
+    let [punch, die] = [0, 1].map(|tool| &model.tools[tool].profile);
+    let gap = punch.distance_to(die, Point::new(0.0, run.end.travel)).0;
     // Trust: half a thickness is where the run is said to end.
     assert!((gap - 0.5).abs() < 1e-3, "{gap}");
 }

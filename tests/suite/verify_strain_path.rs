@@ -32,11 +32,8 @@ fn the_miss_of_the_strain_path_at_every_friction_is_as_the_book_has_it() {
         let at = |major: f64| comparison.points.iter().find(|p| (p.x - major).abs() < 1e-9).expect("a point");
         let found = [0.1, 0.16, 0.2].map(|major| at(major).computed.unwrap_or(f64::NAN));
         if found.iter().zip(recorded).any(|(found, recorded)| (found - recorded).abs() > 0.002 || found.is_nan()) {
-            moved.push(format!(
-                "({name}, {friction}, {ratio}, {found:.4?}) {} {:?}",
-                comparison.sentence(),
-                solution.stages[0].stop
-            ));
+            let (sentence, stop) = (comparison.sentence(), &solution.stages[0].stop);
+            moved.push(format!("({name}, {friction}, {ratio}, {found:.4?}) {sentence} {stop:?}"));
         }
         agreement(&format!("{name} | {friction} | {ratio}"), &recorded.map(|minor| format!("{minor:.3}")));
     }

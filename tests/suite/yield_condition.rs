@@ -22,13 +22,9 @@ const HOSFORD: &str = "material.yield_condition={ hosford = { crystal = \"fcc\" 
 #[test]
 fn a_low_r_by_hill_is_doubted() {
     let (_, with_hosford) = solved(&[HOSFORD]);
-    for limit in ["hill", "marciniak_kuczynski={}"] {
-        let (limit, drop) = match limit {
-            "hill" => ("forming_limit.hill=true".to_owned(), None),
-            groove => (format!("forming_limit.{groove}"), Some("forming_limit.hill=false")),
-        };
-        let overrides: Vec<&str> = [HILL, &limit].into_iter().chain(drop).collect();
-        let (solution, found) = solved(&overrides);
+    let groove = ["forming_limit.marciniak_kuczynski={}", "forming_limit.hill=false"];
+    for limit in [&["forming_limit.hill=true"][..], &groove] {
+        let (solution, found) = solved(&[&[HILL], limit].concat());
         let doubted = row(&found, "yield_condition");
         assert_eq!(doubted.light, Light::Amber, "{doubted:?}");
         let line = "yield_condition = { hosford = { crystal = \"fcc\" } }";

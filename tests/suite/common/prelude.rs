@@ -6,7 +6,7 @@ pub use crate::common::files::{below, files};
 pub use crate::common::page::{agreement, agrees, at_most, percent, plain, signed, told};
 pub use crate::common::random_die;
 pub use crate::common::shipped::{self, DRAWN, findings, last, loaded, made, mean, owned, parsed, peak, row, shipped};
-pub use crate::common::shipped::{shipped_case, solve, solved, solved_once};
+pub use crate::common::shipped::{numbers, shipped_case, solve, solved, solved_once};
 pub use crate::common::simple::{self, are_alike, drive_to};
 pub use approx::assert_relative_eq;
 pub use fastrand::Rng;

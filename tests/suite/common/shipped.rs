@@ -73,6 +73,12 @@ pub fn mean(values: impl Iterator<Item = f64>) -> f64 {
     sum / count
 }
 
+/// Rows of a CSV text that are so many numbers.
+pub fn numbers<const N: usize>(csv: &str) -> Vec<[f64; N]> {
+    let row = |line: &str| line.split(',').map(|cell| cell.parse().ok()).collect::<Option<Vec<f64>>>();
+    csv.lines().filter_map(row).map(|row| row.try_into().expect("as many columns")).collect()
+}
+
 /// The last step.
 pub fn last(run: &StageSolution) -> &StepRecord {
     run.steps.last().expect("steps")
