@@ -17,7 +17,6 @@ use crate::common::prelude::*;
 
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 
-/// The pages of the book and the README, with their text.
 fn pages() -> Vec<(PathBuf, String)> {
     let paths = files(Path::new(ROOT).join("docs"), "md").into_iter().chain([Path::new(ROOT).join("README.md")]);
     paths.map(|path| (path.clone(), fs::read_to_string(path).expect("readable"))).collect()

@@ -37,7 +37,6 @@ fn against_drawn(spec: &Spec, complete: bool) -> Comparison {
     against(spec, &history(), complete, None)
 }
 
-/// A comparison of a quantity with columns of a CSV file.
 fn spec(quantity: ComparedQuantity, columns: &[&str], csv: &str) -> Spec {
     Spec {
         reference: "nowhere/curve.csv".into(),

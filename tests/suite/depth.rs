@@ -5,7 +5,6 @@ use crate::common::prelude::*;
 
 const STRIP: &str = include_str!("../../cases/strip_draw.toml");
 
-/// A case without its references.
 fn solved(text: &str, overrides: &[&str]) -> Solution {
     parsed(text.split("[[compare]]").next().unwrap(), overrides).solve(&mut ())
 }

@@ -110,7 +110,6 @@ fn drawings_give_the_profiles_that_were_drawn() {
     assert_is(&sections("faulty/whole_off_the_axis.dxf", &axis(30.0)), Role::Punch, &halves.0, "whole_off_the_axis");
 }
 
-/// Points along the lines and arcs of a profile.
 fn along(pieces: &[Piece]) -> impl Iterator<Item = Point> {
     pieces.iter().flat_map(|piece| piece.sample(40))
 }

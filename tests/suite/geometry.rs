@@ -202,7 +202,6 @@ proptest! {
     }
 }
 
-/// Points along a falling line.
 fn falling(x: f64, y: f64) -> impl Iterator<Item = Point> {
     (0..200).map(f64::from).map(move |i| Point::new(x + 0.3 * i, y - 0.1 * i))
 }

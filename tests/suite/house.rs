@@ -17,7 +17,6 @@ pub fn rooms() -> Rooms {
     toml::from_str(include_str!("../rooms.toml")).expect("a table")
 }
 
-/// Files below a folder of the project, with their texts.
 fn texts(folder: &str, ending: &str) -> Vec<(PathBuf, String)> {
     let inside = |path: &PathBuf| path.strip_prefix(env!("CARGO_MANIFEST_DIR")).expect("inside").to_owned();
     below(folder, ending).iter().map(|path| (inside(path), fs::read_to_string(path).expect("text"))).collect()

@@ -14,7 +14,6 @@ fn parts() -> Vec<[&'static str; 6]> {
     rows.map(|row| row.try_into().expect("six cells")).collect()
 }
 
-/// Outcome by the lights: a tear or wrinkles by the failure mode, ironing by its row, spring-back by the case's tolerance.
 fn outcome_by_the_lights(file: &str, outcome: &str) -> &'static str {
     let case = loaded(format!("{FOLDER}/{file}.toml"), &[]);
     let stages = solver::solve(&case.stages, &mut ());

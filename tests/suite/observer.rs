@@ -11,7 +11,6 @@ thread_local! {
     static ALLOCATIONS: Cell<usize> = const { Cell::new(0) };
 }
 
-/// The system's allocator, counted.
 struct Counted;
 
 // SAFETY: every call goes to the system's allocator as it is.
@@ -114,7 +113,6 @@ fn an_interrupted_run_keeps_what_it_has_computed() {
     check(solver::run(&model, &mut Stopper { steps: usize::MAX, iterations: 1 }), 0);
 }
 
-/// Records of a stage, and the number of restarts.
 struct Seen {
     recorder: FrameRecorder,
     steps: Vec<StepRecord>,

@@ -14,7 +14,6 @@ fn text(punch: &str, die: &str, holder: &str, travel: &str) -> String {
     )
 }
 
-/// Reads a case that stands in `folder`.
 fn read_in(folder: &Path, text: &str) -> Case {
     let name = folder.join("case.toml");
     case::parse(text, &name.to_string_lossy(), &[]).unwrap_or_else(|e| panic!("{}", e.render(false)))

@@ -60,7 +60,6 @@ fn one_at_a_time_gives_the_sensitivity_of_each_key() {
     assert!(all.windows(2).all(|pair| pair[0].width() >= pair[1].width()) && all.iter().all(|s| s.axis < 2), "{all:?}");
 }
 
-/// Stops after so many runs.
 pub struct After(pub AtomicUsize, pub usize);
 
 impl Watch for After {

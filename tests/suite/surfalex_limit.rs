@@ -83,7 +83,6 @@ impl Fitted {
     }
 }
 
-/// Both conditions, fitted.
 fn fitted(widths: &[Width]) -> [Fitted; 2] {
     [Fitted::new(|r| Hill48::new(r).into(), widths), Fitted::new(|r| Hosford::new(r, FCC).into(), widths)]
 }

@@ -4,7 +4,6 @@
 use crate::common::prelude::*;
 use stampflow::solver::trace::{ConvergenceRate, Trace, TraceRequest, trace};
 
-/// The iterations of a step, and the end of the run behind it.
 struct OfStep {
     step: usize,
     kept: Vec<IterationRecord>,

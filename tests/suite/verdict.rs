@@ -86,7 +86,6 @@ fn later_draws_are_judged_too() {
     assert!((row(&found, "energy").value().unwrap() - works.fold(0.0, f64::max)).abs() < 1e-9);
 }
 
-/// The verdict on a shipped case with overrides.
 fn answered(name: &str, overrides: &[&str]) -> (Answer, Vec<Finding>) {
     let case = shipped_case(name, overrides);
     let stages = solve(&case.stages, &mut ());

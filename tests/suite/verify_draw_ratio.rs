@@ -46,7 +46,6 @@ fn limits(key: &str, values: &[&str], rest: &[&str]) -> Vec<f64> {
     values.iter().map(|value| limit(&[&[format!("{key}={value}").as_str()], rest].concat())).collect()
 }
 
-/// Holds the row of the book's table.
 fn told(what: &str, values: &[&str], ratios: &[f64]) {
     let values = values.iter().map(|value| value.trim_end_matches(" mm")).collect::<Vec<_>>();
     agreement(what, &[values.join(", "), plain(ratios, 3).join(", ")]);

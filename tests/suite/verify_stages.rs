@@ -28,7 +28,6 @@ fn moving(model: &Model, role: Role, axial: f64, aside: f64) -> Model {
     model
 }
 
-/// Stages that all run to their ends.
 fn solved(stages: &[Stage]) -> Vec<StageSolution> {
     let passes = solve(stages, &mut ());
     passes.iter().for_each(|pass| assert!(pass.stop.is_complete(), "{}", pass.stop));

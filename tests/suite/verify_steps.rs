@@ -2,7 +2,6 @@
 
 use crate::common::prelude::*;
 
-/// Overrides that divide the usual steps.
 fn divided(by: f64) -> [String; 2] {
     [format!("solver.max_step={}", 0.01 / by), format!("solver.first_step={}", 0.002 / by)]
 }

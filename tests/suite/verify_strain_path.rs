@@ -2,7 +2,6 @@
 
 use crate::common::prelude::*;
 
-/// Hosford's condition as a case has it.
 const FCC: &str = "{ hosford = { crystal = \"fcc\" } }";
 
 /// Yield condition as the book and as a case calls it, friction, r̄, and the minor strain at major strains of 0.1, 0.16 and

@@ -222,7 +222,6 @@ fn run_all(seed: u64, count: u64, least: f64, mut one: impl FnMut(u64) -> (Strin
     assert!(done as f64 > least * count as f64, "{done} of {count} inputs were solved");
 }
 
-/// Mutated inputs.
 fn attack(seed: u64, count: u64) {
     let subjects = Subject::all();
     run_all(seed, count, 0.1, |i| {

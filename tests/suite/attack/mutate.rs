@@ -3,7 +3,6 @@
 use super::excess::excess;
 use crate::common::prelude::*;
 
-/// Numbers, separated by spaces.
 const NUMBERS: &str =
     "0 -0.0 1 -1 0.5 1e308 -1e308 1e-308 5e-324 nan inf -inf 9223372036854775807 1e400 2147483648 1e5 1e-9 90";
 /// Words, separated by bars.
@@ -23,7 +22,6 @@ fn token(text: &str, rng: &mut Rng) -> Option<(usize, usize)> {
     Some((start, text[start..].find(|c| !is_part(c)).map_or(text.len(), |length| start + length)))
 }
 
-/// Another number or word.
 fn replacement(old: &str, rng: &mut Rng) -> String {
     match (old.parse::<f64>(), rng.usize(..10)) {
         (Ok(_), 0..=2) => one_of(NUMBERS, ' ', rng),
@@ -36,7 +34,6 @@ fn replacement(old: &str, rng: &mut Rng) -> String {
     }
 }
 
-/// Text with a token replaced, or a line removed, repeated or moved.
 fn by_text(text: &str, rng: &mut Rng) -> String {
     if rng.u8(..10) < 7
         && let Some((start, end)) = token(text, rng)
@@ -59,7 +56,6 @@ fn by_text(text: &str, rng: &mut Rng) -> String {
     lines.join("\n")
 }
 
-/// Bytes with flips, deletions, truncations, insertions, repeats.
 fn by_bytes(mut bytes: Vec<u8>, rng: &mut Rng) -> Vec<u8> {
     if bytes.is_empty() {
         return vec![rng.u8(..)];

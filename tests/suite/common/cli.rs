@@ -61,7 +61,6 @@ pub fn endless() -> String {
     CUP.replace("elements = 30", "elements = 2000\n[solver]\nmax_step = 1e-5\nfirst_step = 1e-5")
 }
 
-/// Calls the program in a folder.
 pub fn stampflow(dir: &Path, args: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_stampflow")).args(args).current_dir(dir).output().unwrap()
 }

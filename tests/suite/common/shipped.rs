@@ -26,7 +26,6 @@ pub fn shipped_case(name: &str, overrides: &[&str]) -> Case {
     loaded(format!("{}/cases/{name}.toml", env!("CARGO_MANIFEST_DIR")), overrides)
 }
 
-/// A case in a file, with overrides.
 pub fn loaded(path: impl AsRef<Path>, overrides: &[&str]) -> Case {
     case::load(path, &owned(overrides)).unwrap_or_else(|e| panic!("{}", e.render(false)))
 }
@@ -35,7 +34,6 @@ pub fn owned(texts: &[&str]) -> Vec<String> {
     texts.iter().map(|text| (*text).to_owned()).collect()
 }
 
-/// What a solution's verdict finds.
 pub fn findings(solution: &Solution) -> Vec<Finding> {
     assess::after(&solution.case, &solution.stages)
 }
@@ -79,12 +77,10 @@ pub fn numbers<const N: usize>(csv: &str) -> Vec<[f64; N]> {
     csv.lines().filter_map(row).map(|row| row.try_into().expect("as many columns")).collect()
 }
 
-/// The last step.
 pub fn last(run: &StageSolution) -> &StepRecord {
     run.steps.last().expect("steps")
 }
 
-/// A case in `text`, with overrides.
 pub fn parsed(text: &str, overrides: &[&str]) -> Case {
     case::parse(text, "case.toml", &owned(overrides)).unwrap_or_else(|e| panic!("{}", e.render(false)))
 }
