@@ -147,7 +147,7 @@ fn numbers(case: &Case, stages: &[StageSolution], is_torn: bool) -> Vec<Quantity
         stages.first().and_then(holder),
         stages.first().and_then(pad),
         stages.last().and_then(stripping),
-        stages.first().and_then(further),
+        further(stages),
         Some(blank(case.model())),
         stages.last().and_then(opening_angle),
         stages.last().filter(|_| !is_torn).and_then(height),
@@ -241,13 +241,17 @@ fn pad(stage: &StageSolution) -> Option<Quantity> {
 }
 
 /// Largest force of each further tool.
-fn further(stage: &StageSolution) -> Option<Quantity> {
-    let amount = |force: f64| Amount::force(force, stage.model.extent().force_unit()).to(Digits::Significant(3));
-    let mut all = stage.further_forces().map(|(name, forces)| (name, amount(forces.into_iter().fold(0.0, f64::max))));
-    let (name, first) = all.next()?;
-    let about =
-        joined(std::iter::once(name.to_owned()).chain(all.map(|(name, force)| format!("{name} {force}"))), "; ");
-    Some(Quantity::new("further_force", "Further tool", first).at(format!("{about}; at its largest")))
+fn further(stages: &[StageSolution]) -> Option<Quantity> {
+    let model = &stages.last()?.model;
+    let amount = |force: f64| Amount::force(force, model.extent().force_unit()).to(Digits::Significant(3));
+    let largest = |name: &String| {
+        let forces = stages.iter().flat_map(StageSolution::further_forces).filter(|(other, _)| other == name);
+        amount(forces.flat_map(|(_, forces)| forces).fold(0.0, f64::max))
+    };
+    let (first, others) = model.further.split_first()?;
+    let others = others.iter().map(|name| format!("{name} {}", largest(name)));
+    let about = joined([first.clone()].into_iter().chain(others), "; ");
+    Some(Quantity::new("further_force", "Further tool", largest(first)).at(format!("{about}; at its largest")))
 }
 
 fn holder(stage: &StageSolution) -> Option<Quantity> {

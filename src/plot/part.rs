@@ -11,21 +11,21 @@ const WIDTH: f64 = 680.0;
 pub(crate) fn plot(view: &StageView) -> Option<Chart> {
     let (model, frame) = (view.model(), view.stage.frames.last()?);
     let window = whole_window(frame);
-    let (right, initial) = (window[0].1, model.blank.thickness);
-    let thinning = Thinning::new(initial, 0.5 * WIDTH / right, [frame]);
+    let right = window[0].1;
+    let scale = Thinning::new(model.blank.thickness, 0.5 * WIDTH / right, [frame]);
     let is_released = model.release.is_some();
     let tools = tools(model, Some(frame), right).filter(|_| !is_released);
     let tools = tools.flat_map(|tool| mirrored(tool.points)).map(|body| Series::silent(body, TOOL));
     let thinnest = frame.elements.iter().min_by(|a, b| a.thickness.total_cmp(&b.thickness))?;
-    let thinned = 1.0 - thinnest.thickness / initial;
+    let thinned = 0.01 * thinning::percent(thinnest);
     let word = if thinned < 0.0 { "thicker" } else { "thinner" };
     let text = format!("{}, {} {word}", Amount::thickness(thinnest.thickness), Amount::share(thinned.abs()));
-    let mut section = panel(model.geometry, window).with(tools).with(thinning.section(frame, true));
+    let mut section = panel(model.geometry, window).with(tools).with(scale.section(frame, true));
     section.annotations.push(Annotation::flag(text, (thinnest.r, thinnest.z)));
     if let Some(torn) = tears_at(view.stage).and_then(|s0| element_at(frame, s0)) {
         let torn = &frame.elements[torn];
         section.annotations.push(Annotation::flag("tears here", (-torn.r, torn.z)));
     }
-    let note = thinning.note() + if is_released { "" } else { " Grey: the tools at the end." };
-    Some(view.chart("the part and its thinning", vec![section, thinning.scale()], [note]))
+    let note = scale.note() + if is_released { "" } else { " Grey: the tools at the end." };
+    Some(view.chart("the part and its thinning", vec![section, scale.scale()], [note]))
 }

@@ -20,8 +20,6 @@ const OUTLINE: Style = Style::Line { color: (70, 70, 70), width: 0.7, dash: &[] 
 const VISIBLE: f64 = 3.0;
 
 pub(super) struct Thinning {
-    /// Thickness of the blank \[mm\].
-    initial: f64,
     /// Width of a colour \[%\].
     step: f64,
     /// Colours, in steps from zero, a border between two.
@@ -31,29 +29,29 @@ pub(super) struct Thinning {
 }
 
 /// Reduction of the thickness \[%\]; negative if thicker.
-pub(crate) fn percent(initial: f64, thickness: f64) -> f64 {
-    100.0 * (1.0 - thickness / initial)
+pub(crate) fn percent(element: &ElementRecord) -> f64 {
+    -100.0 * element.strain_thickness.exp_m1()
 }
 
 impl Thinning {
     /// Finest scale that covers every element of these frames; a mm is drawn as so many `px`.
     pub fn new<'a>(initial: f64, px: f64, frames: impl IntoIterator<Item = &'a Frame>) -> Self {
-        let thickness = frames.into_iter().flat_map(|frame| &frame.elements).map(|element| element.thickness);
-        let px = initial * px;
-        Self { times: if px >= VISIBLE { 1.0 } else { (VISIBLE / px).ceil() }, ..Self::over(initial, thickness) }
+        let (px, elements) = (initial * px, frames.into_iter().flat_map(|frame| &frame.elements));
+        let times = if px >= VISIBLE { 1.0 } else { (VISIBLE / px).ceil() };
+        Self { times, ..Self::over(elements.map(percent)) }
     }
 
-    fn over(initial: f64, thickness: impl IntoIterator<Item = f64>) -> Self {
-        let (low, high) = bounds(thickness.into_iter().map(|t| percent(initial, t)).chain([0.0]));
+    fn over(thinning: impl IntoIterator<Item = f64>) -> Self {
+        let (low, high) = bounds(thinning.into_iter().chain([0.0]));
         let levels = |step: f64| (low / step + SLACK).floor() as i32..(high / step - SLACK).ceil() as i32;
         let fits = |step: &f64| levels(*step).len() as i32 <= MOST;
         let step = STEPS.into_iter().find(fits).unwrap_or(STEPS[STEPS.len() - 1]);
         let Range { start, end } = levels(step);
-        Self { initial, step, levels: start..end.max(start + LEAST), times: 1.0 }
+        Self { step, levels: start..end.max(start + LEAST), times: 1.0 }
     }
 
-    fn level(&self, thickness: f64) -> i32 {
-        let level = (percent(self.initial, thickness) / self.step + SLACK).floor() as i32;
+    fn level(&self, thinning: f64) -> i32 {
+        let level = (thinning / self.step + SLACK).floor() as i32;
         level.clamp(self.levels.start, self.levels.end - 1)
     }
 
@@ -65,7 +63,7 @@ impl Thinning {
 
     pub fn section(&self, frame: &Frame, is_whole: bool) -> Vec<Series> {
         let parts = |outline| if is_whole { mirrored(outline) } else { vec![outline] };
-        let levels: Vec<i32> = frame.elements.iter().map(|element| self.level(element.thickness)).collect();
+        let levels: Vec<i32> = frame.elements.iter().map(|element| self.level(percent(element))).collect();
         let (mut series, mut from) = (Vec::new(), 0);
         for equal in levels.chunk_by(|a, b| a == b) {
             // One element under the next colour, so that no paper shines through.
@@ -105,9 +103,9 @@ impl Thinning {
 #[cfg(test)]
 #[test]
 fn zero_is_a_border_between_colours() {
-    let thickness = [0.61, 0.98, 1.0, 1.0 + 1e-12, 1.06, 1.1];
-    let scale = Thinning::over(1.0, thickness);
+    let thinning = [39.0, 2.0, 0.0, -1e-10, -6.0, -10.0];
+    let scale = Thinning::over(thinning);
     assert_eq!((scale.step, scale.levels.clone()), (2.0, -5..20));
-    assert_eq!(thickness.map(|t| scale.level(t)), [19, 1, 0, 0, -3, -5]);
+    assert_eq!(thinning.map(|t| scale.level(t)), [19, 1, 0, 0, -3, -5]);
     assert_eq!(scale.scale().ranges(), [(-10.0, 40.0), (0.0, 1.0)]);
 }
