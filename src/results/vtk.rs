@@ -43,7 +43,7 @@ pub(super) fn files(view: &StageView, frames: &[&Frame]) -> Files {
 }
 
 fn grid(model: &Model, frame: &Frame) -> String {
-    let thinning = frame.elements.iter().map(|element| percent(element)).collect();
+    let thinning = frame.elements.iter().map(percent).collect();
     let others = [S0].into_iter().chain(tables::element_fields(model));
     let others = others.map(|field| field.column(model.extent(), &frame.elements));
     let fields = [Column::new("thinning", "Thinning", Unit::Percent, thinning)].into_iter().chain(others);
