@@ -192,18 +192,16 @@ fn the_measured_curve_of_304l_gives_the_laws_of_the_library_within_their_interva
 
 const CASE: &str = "cases/quickstart.toml";
 
-fn coarse() -> Vec<String> {
-    vec!["blank.elements=24".into(), "solver.max_step=0.06".into()]
+fn base() -> BaseCase {
+    BaseCase::load(CASE, owned(&["blank.elements=24", "solver.max_step=0.06"])).expect("a case")
 }
 
 /// The load over the travel of the case as it stands, 24 points, each times 1 + noise.
 fn curve_of(dir: &TempDir, noise: f64, rng: &mut Rng) -> PathBuf {
-    let case = BaseCase::load(CASE, coarse()).expect("a case").case(&[]).expect("a case");
-    let steps = BaseCase::solve(case, &()).expect("a solution").stages[0].steps.clone();
-    let largest = steps.iter().map(|step| step.punch_force).fold(0.0, f64::max);
+    let run = BaseCase::solve(base().case(&[]).expect("a case"), &()).expect("a solution").stages.remove(0);
     let mut text = String::from("travel_mm,punch_force_kN\n");
-    for step in steps.iter().step_by((steps.len() / 24).max(1)) {
-        let force = step.punch_force + noise * largest * normal(rng);
+    for step in run.steps.iter().step_by((run.steps.len() / 24).max(1)) {
+        let force = step.punch_force + noise * peak(&run) * normal(rng);
         let _ = writeln!(text, "{},{}", step.travel, 1e-3 * force);
     }
     let path = dir.path().join("curve.csv");
@@ -212,8 +210,7 @@ fn curve_of(dir: &TempDir, noise: f64, rng: &mut Rng) -> PathBuf {
 }
 
 fn fit_to(path: &Path, texts: &[&str], watch: &dyn Watch) -> CaseFit {
-    let base = BaseCase::load(CASE, coarse()).expect("a case");
-    let request = CaseFitRequest::new(base, &owned(texts), &[path.to_owned()]);
+    let request = CaseFitRequest::new(base(), &owned(texts), &[path.to_owned()]);
     fit_case(&request.unwrap_or_else(|error| panic!("{error}")), 2, watch).unwrap_or_else(|error| panic!("{error}"))
 }
 

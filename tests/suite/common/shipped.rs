@@ -4,17 +4,8 @@ use crate::common::prelude::*;
 use std::sync::OnceLock;
 
 /// Every shipped case that a punch drives.
-pub const DRAWN: [&str; 9] = [
-    "quickstart",
-    "woo_hemispherical",
-    "chalmers_cup",
-    "osu_stretch",
-    "osu_stretch_friction",
-    "stretch_thin",
-    "strip_draw",
-    "brite_cylindrical",
-    "hydroform",
-];
+pub const DRAWN: &str = "quickstart woo_hemispherical chalmers_cup osu_stretch osu_stretch_friction stretch_thin \
+                         strip_draw brite_cylindrical hydroform";
 
 /// The model of a case of `cases/`, with overrides such as `tools.punch.friction=0.1`.
 pub fn shipped(name: &str, overrides: &[&str]) -> Model {
