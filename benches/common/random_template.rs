@@ -1,4 +1,4 @@
-//! Random tubes, holes, bosses, bends pressed home or stretched, pads and reverse redraws: templates with random sizes, made from a seed.
+//! Random tubes, holes, bosses, bends pressed home or stretched, pads, reverse redraws and ironed cups: templates with random sizes, made from a seed.
 
 use super::random_die::between;
 use fastrand::Rng;
@@ -44,7 +44,8 @@ pub fn random_template(seed: u64, elastic: bool) -> (String, Vec<Stage>, String)
                 given.extend([("bottom", "yes".into()), ("angle", format!("{:.1} deg", between(rng, 70.0, 150.0)))])
             }
             "hat-section" => given.push(("springback", "1 deg".into())),
-            "redraw" => given.push(("reverse", "yes".into())),
+            "redraw" if rng.bool() => given.push(("reverse", "yes".into())),
+            "redraw" => given.push(("wall", format!("{:.2} t", between(rng, 0.5, 1.0)))),
             _ => {}
         }
         let given: Vec<(&str, &str)> = given.iter().map(|(key, value)| (*key, value.as_str())).collect();

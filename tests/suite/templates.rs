@@ -2,6 +2,7 @@
 
 use crate::common::prelude::*;
 use stampflow::author::templates::rules;
+use stampflow::model::tool_sizes::{extent, throat};
 
 /// Sizes away from the defaults: thin and thick sheet, sharp and round tools, other metals.
 const OTHERS: &[(&str, &[(&str, &str)])] = &[
@@ -118,6 +119,26 @@ fn the_last_draw_irons_the_wall_to_its_clearance() {
     let (wide, ..) = redraw("clearance", "1.7t");
     assert!(wide.light == Light::Amber && wide.advice.contains("`--clearance 1.45t`"), "{wide:?}");
     assert_eq!(redraw("clearance", "1.45t").0.light, Light::Green);
+}
+
+/// Trust: rings in equal shares, and a wall is as thick as its ring's gap but for the tools' penalty, 2 % at the ironing pressure.
+#[test]
+fn rings_iron_the_wall_in_equal_shares() {
+    let case = made("cup", &[("wall", "0.8 mm"), ("rings", "2")], &[]);
+    let found = assess::after(&case, solved(&case));
+    let [drawn, rings @ ..] = solved(&case) else { panic!("stages") };
+    let tool = |stage: &StageSolution, role: Role| stage.model.tool(role).expect("a tool").clone();
+    let gap = |stage| throat(&tool(stage, Role::Die)).expect("a throat") - extent(&tool(stage, Role::Punch)).1;
+    assert_eq!(rings.len(), 2);
+    assert_relative_eq!(gap(&rings[0]).powi(2), gap(drawn) * gap(&rings[1]), max_relative = 1e-3);
+    for ring in rings {
+        let (wall, _) = stampflow::measure::thickest(ring.frames.last().expect("a frame")).expect("a wall");
+        assert!((1.0..1.05).contains(&(wall / gap(ring))), "{wall} mm in {} mm", gap(ring));
+    }
+    assert!(
+        row(&found, "ironing").light == Light::Green && row(&found, "clearance").light == Light::Green,
+        "{found:?}"
+    );
 }
 
 /// Trust: the textbook's formula with its exact coefficients, written out here; the file has the radius to a thousandth.

@@ -127,7 +127,8 @@ impl CaseFile {
         source.require(length >= SLENDER * thickness, "blank.thickness", what, help)?;
         let holes = [file.hole, file.hole_diameter, None];
         let hole = if let Some((_, meridian, _)) = &meridian {
-            meridian.first().x
+            // Zero but for round-off.
+            Some(meridian.first().x).filter(|x| *x > 1e-6).unwrap_or(0.0)
         } else if holes.iter().any(Option::is_some) {
             let (key, hole) = radius_of(source, "blank", self.geometry, ["hole", "hole_diameter", "radius"], holes)?;
             let room = length - SLENDER * thickness;

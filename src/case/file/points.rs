@@ -166,7 +166,7 @@ impl Named<'_> {
         let path = source.folder.path.join(self.file);
         self.first(&[&path], source)?.map(|(_, lines, csv)| (lines, csv)).ok_or_else(|| {
             let what = format!("the {} file \"{}\" is not there", self.what, self.file);
-            source.error(self.key, what, format!("put it at {}", path.display()))
+            source.error(self.key, what, format!("put it at {}; {}", path.display(), self.example))
         })
     }
 

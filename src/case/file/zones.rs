@@ -21,25 +21,25 @@ pub struct Zone {
 
 impl Zone {
     /// Zones of a blank of this material.
-    pub fn all(
-        written: &[Self], blank: &model::Blank, material: &Material, source: &Source,
-    ) -> Result<Vec<model::Zone>> {
+    pub fn all(all: &[Self], blank: &model::Blank, material: &Material, source: &Source) -> Result<Vec<model::Zone>> {
         let mut zones: Vec<model::Zone> = Vec::new();
-        for (k, zone) in written.iter().enumerate() {
+        for (k, zone) in all.iter().enumerate() {
             let path = format!("blank.zones.{k}");
             let [start, edge] = blank.ends();
             let within = [zone.from.map_or(start, Dimensioned::value), zone.to.map_or(edge, Dimensioned::value)];
-            let free = zones.last().map_or(start, |before| before.within[1]);
             let [from, to] = within.map(rounded);
+            let free = zones.last().map_or(start, |before| before.within[1]);
             let what = format!("a zone from {from} to {to} mm does not fit");
             let help = format!("it lies between {} and {} mm, zones go outward", rounded(free), rounded(edge));
             let fits = free <= within[0] && within[0] < within[1] && within[1] <= edge && blank.meridian.is_none();
             source.require(fits, &path, what, help)?;
             let thickness = zone.thickness.map_or(blank.thickness, Dimensioned::value);
-            let most = rounded(blank.thickness);
-            let what = format!("a zone of {} mm is thicker than the blank of {most} mm", rounded(thickness));
-            let help = "give `blank.thickness` of the thickest part, on which the tools lie";
-            source.require(thickness <= blank.thickness, &format!("{path}.thickness"), what, help)?;
+            let [thick, most] = [thickness, blank.thickness].map(rounded);
+            let what = format!("a zone of {thick} mm does not go with the blank of {most} mm");
+            let help =
+                "give `blank.thickness` of the thickest part, on which the tools lie; a zone has a tenth at least";
+            let fits = (0.1 * blank.thickness..=blank.thickness).contains(&thickness);
+            source.require(fits, &format!("{path}.thickness"), what, help)?;
             let law = |table: &HardeningTable| {
                 let young = material.elastic.map(|elastic| elastic.young);
                 let hardening = only(Hardening::named(table.clone()), young, &format!("{path}.hardening"), source)?;
