@@ -281,6 +281,11 @@ fn a_doubtful_drawing_is_asked_about() {
         let (_, printed) = imported("ezdxf_inches.dxf", &["--unit", unit]);
         assert!(printed.contains("warning: ") == is_doubted, "{unit}: {printed}");
     }
+    let dir = folder(Path::new("tests/drawings/ezdxf_inches.dxf"));
+    let path = dir.path().join("ezdxf_inches.dxf");
+    let drawing = fs::read_to_string(&path).unwrap().replace("\r\n", "\n");
+    fs::write(&path, Regex::new("(INSUNITS\n *70\n *)1\n").unwrap().replace(&drawing, "${1}4\n").as_ref()).unwrap();
+    ends(&stampflow(dir.path(), &["import", "ezdxf_inches.dxf"]), 2, "try --unit in");
     let (dir, unit) = (folder("ezdxf_lines_and_arcs.dxf"), Regex::new("(INSUNITS\n *70\n *)[14]\n").unwrap());
     for (name, header, wrong) in
         [("ezdxf_inches", "${1}4\n", "mm.dxf"), ("ezdxf_lines_and_arcs", "${1}1\n", "inches.dxf")]
@@ -429,4 +434,23 @@ fn layers_are_understood_in_three_languages() {
         }
         assert_eq!(found.operations[0].tools.len(), 3);
     }
+}
+
+/// Trust: the case's profile against the section that was read, moved along z only.
+#[test]
+fn the_written_case_holds_the_sections_exactly() {
+    let dir = folder(Path::new("tests/drawings/ezdxf_lines_and_arcs.dxf"));
+    ends(&stampflow(dir.path(), &["import", "ezdxf_lines_and_arcs.dxf", "--thickness", "1 mm"]), 0, "");
+    let case = case::load(dir.path().join("ezdxf_lines_and_arcs.toml"), &[]).unwrap();
+    // By hand: the punch's face is drawn at y = 20 and goes to z = -0.5; the die's at y = -0.5 and is there already.
+    for (role, expected, moved) in [
+        (Role::Punch, punch(24.0, 6.0, -20.0, -200.0), 19.5),
+        (Role::Die, die(90.0, 31.25, 6.0, 0.5, 120.0), 0.0),
+        (Role::Holder, holder(32.0, -10.0, -40.0), 9.5),
+    ] {
+        let placed = Profile::new(expected).unwrap().shifted(moved);
+        assert_same(&case.model().tool(role).unwrap().profile, placed.pieces(), role.name());
+    }
+    // What is there stays, unless it is asked to go.
+    ends(&stampflow(dir.path(), &["import", "ezdxf_lines_and_arcs.dxf"]), 2, "--force");
 }
