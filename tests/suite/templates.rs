@@ -121,7 +121,8 @@ fn the_last_draw_irons_the_wall_to_its_clearance() {
     assert_eq!(redraw("clearance", "1.45t").0.light, Light::Green);
 }
 
-/// Trust: rings in equal shares, and a wall is as thick as its ring's gap but for the tools' penalty, 2 % at the ironing pressure.
+/// Trust: rings in equal shares, and a wall is as thick as its ring's gap but for the tools' penalty: 1000 MPa over 30 000 on two
+/// faces, 7 %.
 #[test]
 fn rings_iron_the_wall_in_equal_shares() {
     let case = made("cup", &[("wall", "0.8 mm"), ("rings", "2")], &[]);
@@ -132,8 +133,8 @@ fn rings_iron_the_wall_in_equal_shares() {
     assert_eq!(rings.len(), 2);
     assert_relative_eq!(gap(&rings[0]).powi(2), gap(drawn) * gap(&rings[1]), max_relative = 1e-3);
     for ring in rings {
-        let (wall, _) = stampflow::measure::thickest(ring.frames.last().expect("a frame")).expect("a wall");
-        assert!((1.0..1.05).contains(&(wall / gap(ring))), "{wall} mm in {} mm", gap(ring));
+        let wall = ring.frames.last().expect("a frame").elements.last().expect("a rim").thickness;
+        assert!((1.0..1.07).contains(&(wall / gap(ring))), "{wall} mm in {} mm", gap(ring));
     }
     assert!(
         row(&found, "ironing").light == Light::Green && row(&found, "clearance").light == Light::Green,
