@@ -47,8 +47,7 @@ pub(super) fn clearance(run: &Run) -> Option<Finding> {
         let is_new = run.case.stages[i].begin.meets.contains(&Role::Die);
         if let (Some(frame), true) = (stage.frames.last(), is_new) {
             let tools = placed.tools.iter().zip(&frame.tool_displacement);
-            let moved =
-                |role: Role| tools.clone().find(|(tool, _)| tool.role == role).map_or(0.0, |(_, moved)| moved.y);
+            let moved = |role: Role| tools.clone().find(|(tool, _)| tool.role == role).map_or(0.0, |(_, by)| by.y);
             placed.travel = moved(Role::Punch) - moved(Role::Die);
         }
         let gap = estimate::clearance(&placed)? / blank.thickness;

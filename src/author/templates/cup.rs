@@ -291,7 +291,7 @@ impl<'a> Cup<'a> {
         }
         if tools.len() > 1 || !walls.is_empty() {
             // With usual elements the force oscillates as nodes leave the shoulder.
-            sizes.elements(plan.blank.value, first.shoulder.value.min(self.part.nose), 2);
+            sizes.elements(plan.blank.value, first.shoulder.value.min(self.part.nose), tools.len().min(2));
             sizes.set("stages", self.later(&tools, pressure, &walls), "");
         }
         Ok(sizes)

@@ -81,7 +81,7 @@ impl Cup<'_> {
             texts.into_iter().for_each(|(key, text)| ring.set(key, text, ""));
             ring.set("friction", rounded(self.inputs.value("friction")), "");
             let (shoulder, land) = (ENTRY * thickness, LAND * thickness);
-            let travel = rounded_up(HIGHER * last.cup * last.clearance.value / walls[i] + shoulder + land, 3);
+            let travel = rounded_up(HIGHER * last.cup * thickness / walls[i] + 0.5 * shoulder + land, 3);
             let sizes = [("throat", last.radius + walls[i]), ("shoulder", shoulder), ("land", land), ("move", travel)];
             sizes.into_iter().for_each(|(key, size)| ring.set(key, mm(size), ""));
             if is_held && i == 0 {
