@@ -69,7 +69,7 @@ fn blank(model: &Model) -> Vec<Line> {
         None => (blank.length, meaning),
         Some(_) => (blank.reach() + 0.5 * blank.thickness, format!("outside, {} along it", Amount::set(blank.length))),
     };
-    let volume = extent.times() * blank.area(extent.geometry()) * blank.thickness;
+    let volume = extent.times() * blank.volume(extent.geometry());
     let (unit, times) = if extent == Extent::PerDepth { (Unit::Mm2, "times the depth") } else { (Unit::Mm3, "") };
     let theory = match blank.theory {
         Theory::Bending => format!("bending, {} points through the thickness", blank.layers),

@@ -105,7 +105,9 @@ pub(super) fn wall_wrinkles(run: &Run) -> Option<Finding> {
     let bottom = run.stages.last()?.model.tool(Role::Punch).and_then(|punch| punch.profile.pieces().first());
     let is_domed = matches!(bottom, Some(Piece::Arc(_)));
     let has = |model: &Model, role: Role| model.release.is_none() && model.tool(role).is_some();
-    let is_free = |model: &Model| has(model, Role::Punch) && !has(model, Role::Holder);
+    // A wall in an ironing ring lies on the punch.
+    let is_ring = |model: &Model| model.tool(Role::Die).is_some_and(|die| die.profile.land().is_some());
+    let is_free = |model: &Model| has(model, Role::Punch) && !has(model, Role::Holder) && !is_ring(model);
     let text = match run.stages.iter().skip(1).position(|stage| is_free(&stage.model)) {
         _ if !is_flat => "a wall that is pressed along or around may buckle out of its circle".into(),
         _ if !is_upright(first).unwrap_or(false) => "part of the wall hangs free between punch and die".into(),

@@ -86,7 +86,10 @@ pub(super) fn force(run: &Run) -> Option<Finding> {
     let at = format!("{{}}{} at {} of travel", per_depth(amount(0.0)), Amount::place(load.step.travel));
     let parts = match load.holder() {
         0.0 => String::new(),
-        holder => format!("punch {}, holder {}", amount(load.driven()), amount(holder)),
+        holder => {
+            let of = if load.on.model.further.is_empty() { "punch" } else { "punch and further tools" };
+            format!("{of} {}, holder {}", amount(load.driven()), amount(holder))
+        }
     };
     let angle = press.drive.as_ref().map_or_else(String::new, |drive| {
         format!(", {} before the bottom dead centre", Amount::angle(drive.degrees(load.left())))

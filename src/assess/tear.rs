@@ -11,16 +11,16 @@ const REFUSED: f64 = 0.30;
 
 /// Largest thinning of the last stage, against the rule of thumb where no forming limit judges and the metal is not superplastic.
 pub(super) fn thinning(run: &Run) -> Option<Finding> {
-    let last = run.stages.last()?.steps.last()?;
-    let model = run.case.model();
-    let thinning = 1.0 - last.thinnest / model.blank.unformed_thickness(last.thinnest_s0);
+    let (elements, model) = (&run.stages.last()?.frames.last()?.elements, run.case.model());
+    let most = elements.iter().min_by(|a, b| a.strain_thickness.total_cmp(&b.strain_thickness))?;
+    let thinning = -most.strain_thickness.exp_m1();
     let is_judged = run.nearest.as_ref().is_some_and(|nearest| nearest.assessment.open().is_none());
     let judge = match [is_judged, model.material.rate.is_some_and(|rate| rate.is_superplastic())] {
         [true, _] => "the forming limit judges",
         [_, true] => "a superplastic metal bears more than any rule of thumb: compare with your drawing",
         _ => "",
     };
-    let text = joined(["{}".into(), place(run.stages, last.thinnest_s0), judge.into()], "; ");
+    let text = joined(["{}".into(), place(run.stages, most.s0), judge.into()], "; ");
     let finding = Finding::judged("thinning", "Thinning", text).number(Amount::share(thinning));
     let [careful, refused] = [CAREFUL, REFUSED].map(Amount::share);
     let limit = format!("below {careful}; at most {refused} without a forming limit");

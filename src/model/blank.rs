@@ -175,11 +175,12 @@ impl Blank {
         self.preform.as_ref().map_or_else(|| self.unformed_thickness(s), |preform| preform.thickness.at(s))
     }
 
-    /// Area of the mid-surface \[mm², or mm per mm of depth\], by chords where it is curved.
-    pub fn area(&self, geometry: Geometry) -> f64 {
-        let points: Vec<Point> = self.mid_surface(CHORDS).map(|(point, _)| point).collect();
+    /// Volume \[mm³, or mm² per mm of depth\], by chords where it is curved.
+    pub fn volume(&self, geometry: Geometry) -> f64 {
+        let points: Vec<(Point, f64)> = self.mid_surface(CHORDS).collect();
         let around = |r: f64| if geometry == Geometry::Axisymmetric { TAU * r } else { 1.0 };
-        points.windows(2).map(|w| around(0.5 * (w[0].x + w[1].x)) * (w[1] - w[0]).norm()).sum()
+        let chord = |[a, b]: &[(Point, f64); 2]| around(0.5 * (a.0.x + b.0.x)) * (b.0 - a.0).norm() * (a.1 + b.1);
+        points.array_windows().map(chord).sum()
     }
 
     /// The points through the thickness.

@@ -178,7 +178,7 @@ impl CaseFile {
                 ("profile", profile.drawn("blank.profile", ("sheet", self.geometry), source)?, None)
             }
             (.., Some(folder)) => {
-                let (meridian, preform) = preform::read(folder, self.geometry, source)?;
+                let (meridian, preform) = preform::read(folder, blank.thickness.value(), self.geometry, source)?;
                 ("earlier_run", meridian, Some(preform))
             }
         };

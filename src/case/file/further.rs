@@ -109,13 +109,9 @@ impl ToolContext<'_> {
 }
 
 impl Further {
-    pub fn role(&self, number: usize) -> Role {
-        if self.above { Role::Upper(number as u8) } else { Role::Lower(number as u8) }
-    }
-
     /// New tool, written at the path `table`.
     pub fn tool(&self, number: usize, table: &str, frictions: &Frictions, context: &ToolContext) -> Result<Tool> {
-        let (role, source) = (self.role(number), context.source);
+        let (role, source) = (if self.above { Role::Upper } else { Role::Lower }(number as u8), context.source);
         let short = (1..=LONGEST).contains(&self.name.len());
         let plain = short && !self.name.contains(|c: char| c.is_control() || c == ',');
         let what = format!("a tool cannot be called \"{}\"", self.name);
@@ -135,8 +131,10 @@ impl Further {
         source.one_of(table, &drives, "a tool has one drive")?;
         if let Some(path) = &self.path {
             let points = path.iter().map(|(travel, z)| (travel.value(), z.value())).collect();
-            let what = "a path begins with 0 mm at 0 mm of punch travel, which rises from point to point";
-            let curve = PiecewiseLinear::new(points).filter(|curve| curve.points()[0] == (0.0, 0.0));
+            let what =
+                "a path begins with 0 mm at 0 mm of punch travel, which rises from point to point; a punch travels";
+            let begins = |curve: &PiecewiseLinear| curve.points()[0] == (0.0, 0.0) && context.travel > 0.0;
+            let curve = PiecewiseLinear::new(points).filter(begins);
             let help = "write [[\"0 mm\", \"0 mm\"], [\"10 mm\", \"4 mm\"]]";
             return curve.map(Motion::Course).ok_or_else(|| source.error(&format!("{table}.path"), what, help));
         }
@@ -147,10 +145,13 @@ impl Further {
             let table = format!("{table}.gas_spring");
             let of = |force: HolderForce, key: &str| force.in_extent(&format!("{table}.{key}"), extent, source);
             let (first, last) = (of(force, "force")?, of(end_force, "end_force")?);
+            let (stroke, travel) = (stroke.value(), context.travel);
+            let what = format!("the stroke of {} mm ends before the travel of {} mm", rounded(stroke), rounded(travel));
+            source.require(stroke >= travel, &format!("{table}.stroke"), what, "a longer spring, or less travel")?;
             let what = "the force at the end of the stroke is less than at its begin";
             let help = "see the data sheet: about half more";
             source.require(last >= first, &format!("{table}.end_force"), what, help)?;
-            return Ok(Motion::Pressed(Press { force: first.into(), stiffness: (last - first) / stroke.value() }));
+            return Ok(Motion::Pressed(Press { force: first.into(), stiffness: (last - first) / stroke }));
         }
         if self.spring.is_some() || self.force.is_some() {
             let force = force_curve(&format!("{table}.force"), self.force.as_ref(), extent, source)?;

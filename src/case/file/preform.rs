@@ -6,29 +6,38 @@ use crate::model::Preform;
 
 /// Gap to the axis, over the space of two elements, that is none \[–\].
 const ON_AXIS: f64 = 0.1;
+/// Relative difference of thicknesses that are one \[–\]: of rounded columns.
+const SAME: f64 = 1e-3;
 const EXAMPLE: &str = "give the folder of its results, of one of several stages: out/cup or out/cup/1-draw";
 
 /// Meridian of the sheet at the end of a run with results in `folder`, and its thickness and strains.
-pub fn read(folder: &str, geometry: Geometry, source: &Source) -> Result<(Profile, Preform)> {
+pub fn read(folder: &str, thickness: f64, geometry: Geometry, source: &Source) -> Result<(Profile, Preform)> {
     let file = format!("{folder}/profile.csv");
     let named = Named { file: &file, what: "earlier run's", example: EXAMPLE, key: "blank.earlier_run" };
     let (text, csv) = named.open(source)?;
     let across = if geometry == Geometry::PlaneStrain { "x_mm" } else { "r_mm" };
-    let names = ["s0_mm", across, "z_mm", "thickness_mm", "strain_meridional", "strain_hoop", "strain_equivalent"];
-    let mut columns = [0; 7];
-    for (column, name) in columns.iter_mut().zip(names) {
+    let strains = ["strain_meridional", "strain_hoop", "strain_equivalent", "strain_thickness"];
+    let names = [&["s0_mm", across, "z_mm", "thickness_mm"], &strains[..]].concat();
+    let mut columns = [0; 8];
+    for (column, name) in columns.iter_mut().zip(&names) {
         let what = || format!("there is no column {name}; found {}", csv.names());
         *column = csv.column(name).ok_or_else(|| text.error(csv.header.line, what(), EXAMPLE))?;
     }
     // Rows of each instant go outward from the axis: those of the last one remain.
-    let mut rows: Vec<[f64; 7]> = Vec::new();
+    let mut rows: Vec<[f64; 8]> = Vec::new();
     for record in &csv.rows {
-        let mut row = [0.0; 7];
+        let mut row = [0.0; 8];
         for (k, (value, column)) in row.iter_mut().zip(columns).enumerate() {
             let number = text.number(record, column)?.filter(|number| *number > 0.0 || ![1, 3].contains(&k));
             let what = || format!("{} is no number above 0", names[k]);
             *value = number.ok_or_else(|| text.error(record.line, what(), EXAMPLE))?;
         }
+        let before = row[3] * (-row[7]).exp();
+        let what = || format!("the sheet there was {before:.4} mm thick at first, not {} mm", rounded(thickness));
+        let is_same = (before / thickness - 1.0).abs() < SAME;
+        is_same
+            .then_some(())
+            .ok_or_else(|| text.error(record.line, what(), "give its `thickness` before the earlier run"))?;
         if rows.last().is_some_and(|last| row[0] <= last[0]) {
             rows.clear();
         }

@@ -27,11 +27,12 @@ impl Zone {
             let path = format!("blank.zones.{k}");
             let [start, edge] = blank.ends();
             let within = [zone.from.map_or(start, Dimensioned::value), zone.to.map_or(edge, Dimensioned::value)];
+            source.require(blank.meridian.is_none(), &path, "zones are of a flat blank", "drop them, or the shape")?;
             let [from, to] = within.map(rounded);
             let free = zones.last().map_or(start, |before| before.within[1]);
             let what = format!("a zone from {from} to {to} mm does not fit");
             let help = format!("it lies between {} and {} mm, zones go outward", rounded(free), rounded(edge));
-            let fits = free <= within[0] && within[0] < within[1] && within[1] <= edge && blank.meridian.is_none();
+            let fits = free <= within[0] && within[0] < within[1] && within[1] <= edge;
             source.require(fits, &path, what, help)?;
             let thickness = zone.thickness.map_or(blank.thickness, Dimensioned::value);
             let [thick, most] = [thickness, blank.thickness].map(rounded);

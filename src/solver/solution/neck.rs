@@ -41,11 +41,11 @@ fn surroundings(model: &Model) -> [f64; 2] {
 
 /// Finds the thinnest place by nonlocal section thickness, apart from ironing; `before` is the state one step ago.
 pub fn neck(model: &Model, state: &State, before: Option<&State>) -> Neck {
-    let t0 = model.blank.thickness;
-    let section = |state: &State| NonlocalAverage::new(model, state).means(|e| state.thickness[e]);
+    let share = |state: &State, e: usize| state.thickness[e] / model.blank.unformed_thickness(state.middle(e));
+    let section = |state: &State| NonlocalAverage::new(model, state).means(|e| share(state, e));
     let thickness = section(state);
     // What two tools take off a wall is no neck.
-    let strains = thickness.iter().zip(&state.ironed).map(|(thickness, [_, ironed])| (thickness / t0).ln() + ironed);
+    let strains = thickness.iter().zip(&state.ironed).map(|(share, [_, ironed])| share.ln() + ironed);
     let strains: Vec<f64> = strains.collect();
     let n = thickness.len();
     // What gets shorter along the meridian is no groove around it: the edge of a hole thins as it is widened.

@@ -6,9 +6,11 @@ use crate::writer::{recessed_punch, redraw::Ring};
 /// Share of the gap before that a ring leaves, declared: well within the 35 % of a pass; and the most rings.
 const RING: f64 = 0.75;
 const MOST_RINGS: f64 = 9.0;
+/// Least wall over the sheet's thickness, declared: what rings leave of a can.
+const THINNEST: f64 = 0.35;
 /// Radius of a ring's entry, and its land, over the sheet's thickness \[–\], declared.
 const ENTRY: f64 = 20.0;
-const LAND: f64 = 3.0;
+const LAND: f64 = 1.0;
 
 impl Cup<'_> {
     /// Thickness that each ironing ring leaves, in equal shares \[mm\].
@@ -19,7 +21,10 @@ impl Cup<'_> {
         let stays = flange.is_some() || step.is_some() || recess.is_some() || self.inputs.number("travel").is_some();
         let what = || "a wall is ironed of a cup that is drawn through its die".to_owned();
         ensure(!stays, what, "leave --wall out, or --flange, --step-radius, --recess and --travel")?;
-        let drawn = last.clearance.value;
+        let (drawn, least) = (last.clearance.value, THINNEST * self.sheet.thickness);
+        let what =
+            || format!("a wall of {} is more than rings take of this sheet: {} is left", plain(wall), plain(least));
+        ensure(wall >= least, what, "make --wall larger, or --thickness smaller")?;
         let what = || format!("a wall of {} is not below the last draw's gap of {}", plain(wall), plain(drawn));
         ensure(wall < drawn, what, "make --wall smaller, or leave it out")?;
         let rings = self.inputs.pick("rings", || Picked::by(((wall / drawn).ln() / RING.ln()).ceil(), "")).value;
