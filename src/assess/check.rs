@@ -82,6 +82,11 @@ fn blank(model: &Model) -> Vec<Line> {
         number("volume", Amount::new(volume, unit, Digits::Significant(3)), times),
         line("theory", theory, ""),
     ];
+    lines.extend(blank.zones.iter().map(|zone| {
+        let [from, to] = zone.within.map(Amount::set);
+        let metal = zone.material.as_ref().map_or(String::new(), |metal| metal.hardening.to_string());
+        line("zone", format!("{from} to {to}, {} thick", Amount::size(zone.thickness)), metal)
+    }));
     lines.extend(model.heat.as_ref().map(|heat| {
         let ends = [heat.initial.smallest(), heat.initial.largest()];
         let [low, high] = ends.map(|kelvin| Amount::temperature(kelvin - ZERO_CELSIUS));

@@ -66,8 +66,7 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let [lifted, off] = LIFTED.map(|times| Amount::thickness(times * thickness));
     let judged = judged(run.of_stage(text, 0)).number(Amount::thickness(lift)).at_most(lifted.value, off.value);
     let light = if pressure > most { judged.light.max(Light::Amber) } else { judged.light };
-    let limit = format!("{lifted} at most, red above {off}; at most {}", Amount::stress(most));
-    Some(judged.limit(limit).light(light))
+    Some(judged.limit(format!("{lifted} at most, red above {off}; at most {}", Amount::stress(most))).light(light))
 }
 
 /// Holder that rests on its distance blocks, where it presses no sheet, for a large part of the travel.

@@ -25,8 +25,7 @@ impl<'a> Load<'a> {
     /// Largest over all stages, of forces over what the press permits at their travel; `None` if no punch presses.
     pub fn largest(stages: &'a [StageSolution], press: &Press) -> Option<Self> {
         let steps = formed(stages).flat_map(|(stage, on)| {
-            let steps = on.steps.iter().zip(&on.tool_forces);
-            steps.map(move |(step, forces)| Self { stage, on, step, forces })
+            on.steps.iter().zip(&on.tool_forces).map(move |(step, forces)| Self { stage, on, step, forces })
         });
         let share = |load: &Self| load.force() / press.permitted(load.left()).unwrap_or(1.0);
         steps.filter(|load| load.driven() > 0.0).max_by(|a, b| share(a).total_cmp(&share(b)))
@@ -46,10 +45,10 @@ impl<'a> Load<'a> {
 
     /// Force of the punch and of further tools that move up with it or by a path \[N, or N/mm\].
     fn driven(&self) -> f64 {
-        let moves = |tool: &Tool| matches!(tool.motion, Motion::Travel | Motion::Course(_) | Motion::Path(_));
+        let is_driven = |tool: &Tool| !matches!(tool.motion, Motion::Fixed | Motion::Pressed(_));
         let tools = self.on.model.tools.iter().zip(self.forces);
-        let further = tools.filter(|(tool, _)| matches!(tool.role, Role::Lower(_)) && moves(tool));
-        self.step.punch_force + further.map(|(_, force)| force).sum::<f64>()
+        let below = tools.filter(|(tool, _)| matches!(tool.role, Role::Lower(_)) && is_driven(tool));
+        self.step.punch_force + below.map(|(_, force)| force).sum::<f64>()
     }
 
     /// Force of these and of the holder at the same instant \[N, or N/mm\].

@@ -44,8 +44,7 @@ pub(super) fn clearance(run: &Run) -> Option<Finding> {
     let judged = |i: usize, stage: &StageSolution| {
         let mut placed = stage.model.clone();
         // New tools of a later stage begin where they touch the sheet.
-        let is_new = run.case.stages[i].begin.meets.contains(&Role::Die);
-        if let (Some(frame), true) = (stage.frames.last(), is_new) {
+        if let (Some(frame), true) = (stage.frames.last(), run.case.stages[i].begin.meets.contains(&Role::Die)) {
             let tools = placed.tools.iter().zip(&frame.tool_displacement);
             let moved = |role: Role| tools.clone().find(|(tool, _)| tool.role == role).map_or(0.0, |(_, by)| by.y);
             placed.travel = moved(Role::Punch) - moved(Role::Die);
@@ -89,9 +88,12 @@ pub(super) fn ironing(run: &Run) -> Option<Finding> {
             Amount::stress(run.largest(|step| step.ironing_pressure)?)
         ),
     };
-    let careful = if run.stages.iter().any(has_land) { RING } else { LIGHTLY };
+    let (careful, advice) = if run.stages.iter().any(has_land) {
+        (RING, "one ring more (`stampflow new cup --rings`), or a thicker wall")
+    } else {
+        (LIGHTLY, "a wider gap between punch and die there (`stampflow new cup --clearance`), or one draw more")
+    };
     let source = "up to 15 % a draw sizes its wall, 30 % of a ring (declared); in one pass (Chin. J. Mech. Eng. 2022, 10.1186/s10033-022-00681-9)";
-    let advice = "a wider gap between punch and die there (`stampflow new cup --clearance`), or one draw more";
     let judged = Finding::judged("ironing", "Ironing", text).number(Amount::share(most.ironing));
     Some(judged.at_most(100.0 * careful, 100.0 * IRONING_LIMIT).source(source).advice(advice))
 }

@@ -34,12 +34,15 @@ pub fn materials(args: &Args) -> Result<Code> {
     let Description { title, notes, licence, stands_for, band, .. } = about;
     let stands_for = stands_for.iter().map(|s| format!("stands for {}; {}", s.grades.join(", "), s.because));
     let notes = stands_for.chain(notes.iter().cloned()).chain([format!("licence: {licence}")]);
-    let law = format!("\nLaw: {}; {}\n", material.hardening, about.source());
-    let band = band.iter().fold(wrapped(law), |text, band| {
-        let (rows, sources) = band.rows();
-        let title = format!("\nBand of {}\n\n", band.standard);
-        text + wrapped(title) + table(&["", "least", "largest", "kind", "grade", "source"], rows) + "\n" + list(sources)
-    });
+    let band =
+        band.iter().fold(wrapped(format!("\nLaw: {}; {}\n", material.hardening, about.source())), |text, band| {
+            let (rows, sources) = band.rows();
+            let title = format!("\nBand of {}\n\n", band.standard);
+            text + wrapped(title)
+                + table(&["", "least", "largest", "kind", "grade", "source"], rows)
+                + "\n"
+                + list(sources)
+        });
     let paste = format!("\nIn a case:\n\n[material]\nname = \"{name}\"\n\nor all of it:\n\n{text}");
     emit(args.json.json, as_json(&entry), || wrapped(format!("{name}: {title}\n\n")) + list(notes) + band + paste)
 }

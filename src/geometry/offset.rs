@@ -104,8 +104,7 @@ impl Profile {
         }
         let normal = turned(tangent);
         let at_tangent = normal.y.atan2(normal.x);
-        let start = if at_first { at_tangent - 0.5 * turn } else { at_tangent };
-        Some(Piece::arc(tip, by, start, 0.5 * turn))
+        Some(Piece::arc(tip, by, if at_first { at_tangent - 0.5 * turn } else { at_tangent }, 0.5 * turn))
     }
 }
 

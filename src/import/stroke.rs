@@ -68,8 +68,7 @@ pub(super) fn bounds(
         let is_free = !options.layers.iter().any(|(name, _)| name.eq_ignore_ascii_case(&source.layer));
         is_named && is_free && !source.on_paper && entity.is_curve()
     };
-    let curves = entities.iter().filter(is_ours);
-    Bounds::around(curves.filter_map(|placed| Pen { placed, frame }.pieces().ok()).flatten())
+    Bounds::around(entities.iter().filter(is_ours).filter_map(|placed| Pen { placed, frame }.pieces().ok()).flatten())
 }
 
 /// Hole, edge and thickness \[mm\] of the blank of layer BLANK, a thin outline as `export` draws it.

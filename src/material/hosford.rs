@@ -141,8 +141,7 @@ impl Hosford {
         let space = x * y * both;
         let newton = value / ((1.0 + more) * both);
         let bend = 0.5 * more * newton * (y * own - x * between);
-        let step = if space == 0.0 { newton } else { newton * space / (space - bend) };
-        [value, across, step]
+        [value, across, if space == 0.0 { newton } else { newton * space / (space - bend) }]
     }
 
     /// Linear between the known ratios of pure shear, tension, plane strain and equi-biaxial stretching: exact for Hill's.

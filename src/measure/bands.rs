@@ -224,8 +224,7 @@ fn of_piece(geometry: Geometry, tool: &Tool, piece: usize, at: Point) -> Band {
 /// Band on a convex arc of a punch: its edge, or the end of a round or crowned punch.
 fn nose(geometry: Geometry, profile: &Profile, at: Point) -> Band {
     let mut corners = profile.corners();
-    let from_axis = corners.next().filter(|corner| on_axis(&corner.at(0.0)) || on_axis(&corner.at(1.0)));
-    match (from_axis, corners.next()) {
+    match (corners.next().filter(|corner| on_axis(&corner.at(0.0)) || on_axis(&corner.at(1.0))), corners.next()) {
         (Some(_), None) if geometry == Geometry::Axisymmetric => Band::Dome,
         (Some(crown), Some(_)) if at.x < crown.at(0.0).x.max(crown.at(1.0).x) => Band::Bottom,
         _ => Band::PunchRadius,

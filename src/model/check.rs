@@ -162,8 +162,7 @@ impl Model {
             }
         }
         if self.mode == Mode::Flow {
-            let shifts = material.chaboche.iter().any(|law| law.modulus != 0.0);
-            excludes(shifts, "mode flow", "material.chaboche")?;
+            excludes(material.chaboche.iter().any(|law| law.modulus != 0.0), "mode flow", "material.chaboche")?;
             return excludes(self.release.is_some(), "mode flow", "release");
         }
         needs("mode", material.elastic.is_some(), "material.elastic")?;

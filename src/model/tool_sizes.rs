@@ -6,8 +6,7 @@ use crate::numerics::bisect;
 
 /// Smallest and largest distance of a tool from the axis \[mm\].
 pub fn extent(tool: &Tool) -> (f64, f64) {
-    let points = tool.profile.polyline(0.01);
-    points.iter().fold((f64::INFINITY, 0.0), |(low, high), p| (p.x.min(low), p.x.max(high)))
+    tool.profile.polyline(0.01).iter().fold((f64::INFINITY, 0.0), |(low, high), p| (p.x.min(low), p.x.max(high)))
 }
 
 /// Sampling of arcs \[rad\] and number of parts of a line.

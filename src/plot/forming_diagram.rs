@@ -42,8 +42,7 @@ fn diagram(view: &StageView, assessment: &Assessment, limit: &Curve) -> Panel {
     let elements = &assessment.elements;
     let path = |e: usize| {
         let path = view.stage.paths.of(e);
-        let every = path.len().div_ceil(PATH_POINTS).max(1);
-        path.iter().rev().step_by(every).map(|p| (p[0], p[1])).collect::<Vec<_>>()
+        path.iter().rev().step_by(path.len().div_ceil(PATH_POINTS).max(1)).map(|p| (p[0], p[1])).collect::<Vec<_>>()
     };
     let (worst, every) = (worst(assessment), elements.len().div_ceil(PATHS).max(1));
 

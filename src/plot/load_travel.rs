@@ -65,6 +65,5 @@ pub(super) fn panel(view: &StageView, height: f64) -> Option<Panel> {
         let points = steps.iter().map(over.value).zip(forces).collect();
         Series::new(capitalised(name), points, Style::curve(fields.len() + i))
     });
-    let panel = Panel::fit(over.axis(extent), y, height, 0.0).with(further);
-    Some(panel.with(fields.iter().enumerate().map(curve)))
+    Some(Panel::fit(over.axis(extent), y, height, 0.0).with(further).with(fields.iter().enumerate().map(curve)))
 }

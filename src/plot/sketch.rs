@@ -46,6 +46,5 @@ fn vertices(profile: &Profile) -> impl Iterator<Item = Point> {
     let is_wall = |piece: &&Piece| matches!(piece, Piece::Segment(_)) && piece.tangent(false).x.abs() < 1e-3;
     let first = pieces.iter().take_while(is_wall).count();
     let last = pieces.len() - pieces.iter().rev().take_while(is_wall).count();
-    let range = if first < last { first..last } else { 0..pieces.len() };
-    pieces[range].iter().flat_map(|piece| piece.sample(8))
+    pieces[if first < last { first..last } else { 0..pieces.len() }].iter().flat_map(|piece| piece.sample(8))
 }

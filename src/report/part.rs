@@ -126,7 +126,6 @@ fn begun<'a>(report: &'a Report, i: usize) -> (&'a Model, Option<&'a Frame>, Vec
 pub(super) fn sections<'a>(report: &'a Report) -> impl Iterator<Item = Section> + 'a {
     with_new_tools(report).map(|i| {
         let (model, start, sizes) = begun(report, i);
-        let heading = if i == 0 { "Section".to_owned() } else { report.stage(i) + "section" };
-        section(heading, model, start, &sizes)
+        section(if i == 0 { "Section".to_owned() } else { report.stage(i) + "section" }, model, start, &sizes)
     })
 }

@@ -159,6 +159,5 @@ pub(super) fn velocity_norm(model: &Model, trial: &Trial, share: f64) -> f64 {
             total += (weight[k] * u[k]).powi(2);
         }
     }
-    let still = (STILL * t).powi(2) * trial.moves.len() as f64;
-    (change / total.max(still)).sqrt()
+    (change / total.max((STILL * t).powi(2) * trial.moves.len() as f64)).sqrt()
 }

@@ -3,7 +3,7 @@
 use super::corrector::Corrector;
 use super::no_equilibrium::{creeping, interrupted, no_equilibrium, squeezed, unheld};
 use super::termination::Termination;
-use super::time_step::{Budget, StepControl};
+use super::time_step::{Budget, OVERSTRAINED, StepControl};
 use super::*;
 use crate::solver::solution::{Frame, ThroughThickness};
 use std::mem::swap;
@@ -85,7 +85,8 @@ impl Course {
         left.for_each(|(tool, left)| tool.released = tool.released.or(*left));
         let mut trial = Trial::new(&context, &self.now.state);
         let [mut evaluation, mut before] = [(); 2].map(|()| Evaluation::new(&context, &self.now.state));
-        let mut control = StepControl::new(model, &self.now.state, self.now.termination.closes_at(model));
+        let closes_at = self.now.termination.closed.map(|(travel, _)| model.time_at(travel));
+        let mut control = StepControl::new(model, &self.now.state, closes_at);
         let mut budget = Budget::new(model);
         let mut rejected = 0;
         // Node with the largest residual of the last failed try.
@@ -138,7 +139,7 @@ impl Course {
                     break;
                 }
             };
-            if control.is_overstrained(converged.strain_increment()) && control.reject() {
+            if converged.strain_increment() > OVERSTRAINED * model.settings.strain_step && control.reject() {
                 self.now.effort.overstrained += 1;
                 rejected += 1;
                 continue;

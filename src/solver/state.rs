@@ -234,8 +234,7 @@ impl State {
         }
         let mut paths = Paths::starting((0..self.thickness.len()).map(|e| self.middle(e)).collect());
         let blank = &model.blank;
-        let edge = if blank.hole > 0.0 { blank.hole + blank.thickness } else { 0.0 };
-        paths.edge = (edge, blank.edge_limit.is_some());
+        paths.edge = (if blank.hole > 0.0 { blank.hole + blank.thickness } else { 0.0 }, blank.edge_limit.is_some());
         paths.record(self.instant());
         paths
     }

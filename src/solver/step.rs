@@ -177,8 +177,7 @@ fn elastoplastic_points(context: &RunContext, state: &State, dt: f64, around: &G
     let columns = state.points.columns();
     let points = context.metals.iter().flat_map(|metal| {
         let law = elastoplastic_law(model, metal.material, Iteration::Newton, dt);
-        let places = metal.elements.clone().flat_map(|e| (0..columns).map(move |k| (e, k)));
-        places.map(move |at| {
+        metal.elements.clone().flat_map(|e| (0..columns).map(move |k| (e, k))).map(move |at| {
             let temperature = state.foreseen_temperature(at.0, dt);
             let MaterialPoint { strain, stress, back, .. } = state.points[at];
             let dilation = elastic.volume_strain(stress).exp_m1();

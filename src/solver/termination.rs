@@ -42,7 +42,7 @@ pub(super) struct Termination {
     rate_at_peak: f64,
     throat: Option<Throat>,
     /// Travel at which punch and die close, and their closest place \[mm\].
-    closed: Option<(f64, Point)>,
+    pub closed: Option<(f64, Point)>,
     neck: Option<Neck>,
     /// Largest excess of the last state over a rule \[–\]; negative while the run goes on.
     pub excess: f64,
@@ -61,11 +61,6 @@ impl Termination {
         let (necking_since, fading_since, neck) = (None, None, None);
         let (peak, rate_at_peak, closed) = (0.0, 0.0, closed(model, state));
         Self { necking_since, fading_since, peak, rate_at_peak, throat, closed, neck, excess: -1.0 }
-    }
-
-    /// Time at which punch and die close \[s\], if ever.
-    pub fn closes_at(&self, model: &Model) -> Option<f64> {
-        self.closed.map(|(travel, _)| model.time_at(travel))
     }
 
     /// End of a run whose steps fail while a neck takes over.

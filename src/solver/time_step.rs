@@ -15,7 +15,7 @@ const SHRINK: f64 = 0.7;
 /// Changes of contact over the number of points above which steps do not grow \[–\].
 const MANY_CHANGES: f64 = 0.2;
 /// Strain increment over its limit above which a step is repeated \[–\].
-const OVERSTRAINED: f64 = 2.0;
+pub const OVERSTRAINED: f64 = 2.0;
 /// Shortest step that approaching contact asks for, over the largest \[–\].
 const LEAST_APPROACH: f64 = 0.1;
 /// Predicted penetration over the thickness that limits a step \[–\]: the largest move of one iteration.
@@ -81,10 +81,6 @@ impl<'a> StepControl<'a> {
             self.wanted = self.wanted.min(aimed.max(self.smallest));
         }
         self.wanted = self.wanted.min(approach.max(LEAST_APPROACH * self.largest));
-    }
-
-    pub fn is_overstrained(&self, increment: f64) -> bool {
-        increment > OVERSTRAINED * self.model.settings.strain_step
     }
 
     pub fn reject(&mut self) -> bool {

@@ -125,8 +125,7 @@ pub(super) fn joggle(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError
     let radius = inputs.pick("radius", || rules::tool_radius(t));
     let gap = inputs.pick("clearance", || Picked::by(1.05 * t, "1.05 thicknesses, a declared rule of thumb"));
     // Sum of the radii of the bends' middle lines.
-    let radii = 2.0 * radius.value + gap.value;
-    let length = inputs.number("length").unwrap_or(f64::max(4.0 * depth, radii));
+    let length = inputs.number("length").unwrap_or(f64::max(4.0 * depth, 2.0 * radius.value + gap.value));
     let [end, hollow] = [flat + length, radius.value + gap.value];
     let tool = |step: f64| stepped(flat, [length, step], [radius.value, hollow], end + 4.0 * flat);
     let values = |[blank, step]: [f64; 2]| {

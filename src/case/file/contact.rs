@@ -45,8 +45,12 @@ impl Holder {
         if let Some(gap) = self.gap {
             let (gap, t) = (gap.value(), blank.thickness);
             let what = format!("the holder's gap of {gap} mm is less than the sheet's thickness of {t} mm");
-            let help = format!("at least {t} mm; 1.02 to 1.1 times is usual");
-            source.require(gap >= t, "tools.holder.gap", what, help)?;
+            source.require(
+                gap >= t,
+                "tools.holder.gap",
+                what,
+                format!("at least {t} mm; 1.02 to 1.1 times is usual"),
+            )?;
             return Ok(Motion::Gap(gap));
         }
         if let Some(pressure) = self.pressure {

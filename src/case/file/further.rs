@@ -118,8 +118,7 @@ impl Further {
         source.require(plain, &format!("{table}.name"), what, format!("at most {LONGEST} letters"))?;
         source.require(number < MOST, table, "there are too many tools", format!("at most {MOST} further ones"))?;
         let section = self.profile.as_ref().ok_or_else(|| source.missing(table, "profile"))?;
-        let away = role.side() * self.gap.map_or(0.0, Dimensioned::value);
-        let profile = section.placed(role, context)?.shifted(away);
+        let profile = section.placed(role, context)?.shifted(role.side() * self.gap.map_or(0.0, Dimensioned::value));
         let friction = frictions.law_of(self.friction, role, (&self.name, table), source)?;
         Ok(Tool { role, profile, friction, motion: self.motion(table, context)? })
     }
@@ -127,8 +126,11 @@ impl Further {
     /// Drive, or rest without one.
     pub fn motion(&self, table: &str, context: &ToolContext) -> Result<Motion> {
         let ToolContext { extent, source, .. } = *context;
-        let drives = ["with_punch", "path", "move", "force", "spring", "gas_spring"];
-        source.one_of(table, &drives, "a tool has one drive")?;
+        source.one_of(
+            table,
+            &["with_punch", "path", "move", "force", "spring", "gas_spring"],
+            "a tool has one drive",
+        )?;
         if let Some(path) = &self.path {
             let points = path.iter().map(|(travel, z)| (travel.value(), z.value())).collect();
             let what =
@@ -149,8 +151,7 @@ impl Further {
             let what = format!("the stroke of {} mm ends before the travel of {} mm", rounded(stroke), rounded(travel));
             source.require(stroke >= travel, &format!("{table}.stroke"), what, "a longer spring, or less travel")?;
             let what = "the force at the end of the stroke is less than at its begin";
-            let help = "see the data sheet: about half more";
-            source.require(last >= first, &format!("{table}.end_force"), what, help)?;
+            source.require(last >= first, &format!("{table}.end_force"), what, "see the data sheet")?;
             return Ok(Motion::Pressed(Press { force: first.into(), stiffness: (last - first) / stroke }));
         }
         if self.spring.is_some() || self.force.is_some() {

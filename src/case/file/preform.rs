@@ -65,11 +65,6 @@ pub fn read(folder: &str, thickness: f64, geometry: Geometry, source: &Source) -
         PiecewiseLinear::new(points).ok_or_else(|| text.error(csv.header.line, "its rows repeat a place", EXAMPLE))
     };
     let preform = Preform { thickness: curve(3)?, strains: [curve(4)?, curve(5)?, curve(6)?] };
-    let thickness = || rows.iter().map(|row| row[3]);
-    let [thin, thick] = [thickness().fold(f64::MAX, f64::min), thickness().fold(0.0, f64::max)].map(Amount::thickness);
-    source.note(format!(
-        "the sheet is that of {folder} at its end, {thin} to {thick} thick, with its strains; its stresses, its bending through \
-         the thickness and its damage are left out"
-    ));
+    source.note(format!("the sheet is that of {folder} at its end, without its stresses, bending strains and damage"));
     Ok((profile, preform))
 }

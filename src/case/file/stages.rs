@@ -167,8 +167,7 @@ impl StageContext<'_> {
             self.tool(&tool, &mut model)?;
             meets.extend(tool.is_shaped.then_some(tool.role));
         }
-        let context = (self.frictions, self.source);
-        meets.extend(further::changed(self.tools, &self.path, context, &mut model)?);
+        meets.extend(further::changed(self.tools, &self.path, (self.frictions, self.source), &mut model)?);
         self.press(&mut model, &mut meets)?;
         self.release(&mut model)?;
         model.blank.edge = self.written.edge.unwrap_or(model.blank.edge);
@@ -324,8 +323,7 @@ impl StageContext<'_> {
             mode => (mode, "mode"),
         };
         if let Some(mode) = mode {
-            let path = format!("{}.{key}", self.path);
-            model.mode = checked_mode(mode, &self.before.material, &path, self.source)?;
+            model.mode = checked_mode(mode, &self.before.material, &format!("{}.{key}", self.path), self.source)?;
         }
         let what = "the flow law has no elasticity, nothing springs back";
         let help = "drop it, or write \"elastic\" or \"elasto_viscoplastic\"";

@@ -37,19 +37,14 @@ impl Zone {
             let thickness = zone.thickness.map_or(blank.thickness, Dimensioned::value);
             let [thick, most] = [thickness, blank.thickness].map(rounded);
             let what = format!("a zone of {thick} mm does not go with the blank of {most} mm");
-            let help =
-                "give `blank.thickness` of the thickest part, on which the tools lie; a zone has a tenth at least";
-            let fits = (0.1 * blank.thickness..=blank.thickness).contains(&thickness);
-            source.require(fits, &format!("{path}.thickness"), what, help)?;
+            let help = "give `blank.thickness` of the thickest part, on which the tools lie; a tenth at least";
+            source.require((0.1 * most..=most).contains(&thick), &format!("{path}.thickness"), what, help)?;
             let law = |table: &HardeningTable| {
                 let young = material.elastic.map(|elastic| elastic.young);
                 let hardening = only(Hardening::named(table.clone()), young, &format!("{path}.hardening"), source)?;
                 Ok::<_, CaseError>(Material { hardening, ..material.clone() })
             };
             zones.push(model::Zone { within, thickness, material: zone.hardening.as_ref().map(law).transpose()? });
-        }
-        if zones.iter().any(|zone| zone.material.is_some()) {
-            source.note("zones that harden otherwise are judged by the forming limit of [material]");
         }
         Ok(zones)
     }

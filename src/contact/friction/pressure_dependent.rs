@@ -32,8 +32,7 @@ impl FrictionLaw for PressureDependent {
         let q = at.pressure / self.reference;
         let square = q * q + Self::LIGHT * Self::LIGHT;
         let mu = self.coefficient * square.powf(0.5 * (self.exponent - 1.0));
-        let by_pressure = mu * (1.0 + (self.exponent - 1.0) * q * q / square);
-        FrictionStress::regularised(mu * at.pressure, by_pressure, at)
+        FrictionStress::regularised(mu * at.pressure, mu * (1.0 + (self.exponent - 1.0) * q * q / square), at)
     }
 
     fn largest_coefficient(&self) -> f64 {

@@ -113,8 +113,7 @@ impl<'a> Groove<'a> {
                 return Some(Strained { sheet, groove: now.groove + increment, thickness, rate: x / step });
             }
             let column = |along: Vector2<f64>| Some((residual(x + h * along)? - r) / h);
-            let jacobian = Matrix2::from_columns(&[column(Vector2::x())?, column(Vector2::y())?]);
-            let move_by = jacobian.try_inverse()? * -r;
+            let move_by = Matrix2::from_columns(&[column(Vector2::x())?, column(Vector2::y())?]).try_inverse()? * -r;
             // No further than the groove strains: beyond, the difference quotients mean nothing.
             x += move_by * (0.5 * increment.max(step) / move_by.amax()).min(1.0);
             if !x.iter().all(|x| x.is_finite()) {

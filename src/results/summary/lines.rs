@@ -60,8 +60,7 @@ impl Lines<'_> {
         let Self { model, run, last, .. } = *self;
         self.plain("hardening", "Hardening", model.material.describe());
         let is_full = run.stop.kind == StopKind::FullTravel;
-        let ended = if is_full { format!("{} reached", stop_text(run)) } else { run.stop.to_string() };
-        self.plain("stop", "Ended", ended);
+        self.plain("stop", "Ended", if is_full { format!("{} reached", stop_text(run)) } else { run.stop.to_string() });
         self.plain("complete", "", run.stop.is_complete());
         if model.travel > 0.0 {
             let peak = run.steps.iter().copied().max_by(|a, b| a.punch_force.total_cmp(&b.punch_force));

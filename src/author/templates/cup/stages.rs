@@ -22,11 +22,10 @@ impl Cup<'_> {
         let what = || "a wall is ironed of a cup that is drawn through its die".to_owned();
         ensure(!stays, what, "leave --wall out, or --flange, --step-radius, --recess and --travel")?;
         let (drawn, least) = (last.clearance.value, THINNEST * self.sheet.thickness);
+        let [wanted, from, to] = [wall, least, drawn].map(plain);
         let what =
-            || format!("a wall of {} is more than rings take of this sheet: {} is left", plain(wall), plain(least));
-        ensure(wall >= least, what, "make --wall larger, or --thickness smaller")?;
-        let what = || format!("a wall of {} is not below the last draw's gap of {}", plain(wall), plain(drawn));
-        ensure(wall < drawn, what, "make --wall smaller, or leave it out")?;
+            || format!("rings leave {from} of this sheet at least and begin below the gap of {to}, not {wanted}");
+        ensure((least..drawn).contains(&wall), what, "another --wall, or leave it out")?;
         let rings = self.inputs.pick("rings", || Picked::by(((wall / drawn).ln() / RING.ln()).ceil(), "")).value;
         let what = || format!("--rings {rings} is no number of rings");
         ensure(rings.fract() == 0.0 && (1.0..=MOST_RINGS).contains(&rings), what, "from 1 to 9; a larger --wall")?;
