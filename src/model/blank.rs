@@ -178,9 +178,10 @@ impl Blank {
     /// Volume \[mm³, or mm² per mm of depth\], by chords where it is curved.
     pub fn volume(&self, geometry: Geometry) -> f64 {
         let points: Vec<(Point, f64)> = self.mid_surface(CHORDS).collect();
-        let around = |r: f64| if geometry == Geometry::Axisymmetric { TAU * r } else { 1.0 };
-        let chord = |[a, b]: &[(Point, f64); 2]| around(0.5 * (a.0.x + b.0.x)) * (b.0 - a.0).norm() * (a.1 + b.1);
-        points.array_windows().map(chord).sum()
+        let ring = |w: &[(Point, f64)]| 0.5 * TAU * (w[0].0.x + w[1].0.x);
+        let around = |w: &[(Point, f64)]| if geometry == Geometry::Axisymmetric { ring(w) } else { 1.0 };
+        let chord = |w: &[(Point, f64)]| around(w) * (w[1].0 - w[0].0).norm() * (w[0].1 + w[1].1);
+        points.windows(2).map(chord).sum()
     }
 
     /// The points through the thickness.

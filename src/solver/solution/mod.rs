@@ -100,8 +100,7 @@ impl StageSolution {
 
     /// Force with which a tool presses on the sheet at each of the steps \[N, or N/mm\].
     pub fn pressing(&self, tool: usize) -> Vec<f64> {
-        let side = self.model.tools[tool].role.side();
-        self.tool_forces.iter().map(|forces| -side * forces[tool]).collect()
+        self.tool_forces.iter().map(|forces| -self.model.tools[tool].role.side() * forces[tool]).collect()
     }
 
     /// Frames before and after a release; `None` of other stages.
