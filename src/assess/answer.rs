@@ -304,7 +304,8 @@ const PRESSED: f64 = 0.02;
 fn rim(case: &Case, stage: &StageSolution) -> Option<Quantity> {
     let height = case.finished.height.filter(|_| case.finished.flange_diameter.is_none())?;
     let [r, _, thickness] = wall_at(stage.frames.last()?, height)?;
-    let pressed = estimate::clearance(&stage.model).map(|gap| thickness - gap).filter(|by| *by > PRESSED);
+    let pressed =
+        estimate::clearance(&stage.model, stage.model.travel).map(|gap| thickness - gap).filter(|by| *by > PRESSED);
     let pressed = pressed.map(|by| format!(", pressed by {} into the tools (penalty)", Amount::thickness(by)));
     let outside = format!("thick where it is trimmed, {} outside", Amount::place(2.0 * r + thickness));
     Some(Quantity::new("rim", "Rim", Amount::thickness(thickness)).at(outside + &pressed.unwrap_or_default()))

@@ -1,6 +1,6 @@
 //! Drawing of cups: draw ratios, size of the blank, wrinkles, ears, trimming.
 
-use super::estimate::{draw_ratio, held_area, siebel_pressure};
+use super::estimate::{draw_ratio, has_land, held_area, siebel_pressure};
 use super::{holder::if_open, tear::is_upright, *};
 use crate::case::Finished;
 use crate::material::RValues;
@@ -106,8 +106,7 @@ pub(super) fn wall_wrinkles(run: &Run) -> Option<Finding> {
     let is_domed = matches!(bottom, Some(Piece::Arc(_)));
     let has = |model: &Model, role: Role| model.release.is_none() && model.tool(role).is_some();
     // A wall in an ironing ring lies on the punch.
-    let is_ring = |model: &Model| model.tool(Role::Die).is_some_and(|die| die.profile.land().is_some());
-    let is_free = |model: &Model| has(model, Role::Punch) && !has(model, Role::Holder) && !is_ring(model);
+    let is_free = |model: &Model| has(model, Role::Punch) && !has(model, Role::Holder) && !has_land(model);
     let text = match run.stages.iter().skip(1).position(|stage| is_free(&stage.model)) {
         _ if !is_flat => "a wall that is pressed along or around may buckle out of its circle".into(),
         _ if !is_upright(first).unwrap_or(false) => "part of the wall hangs free between punch and die".into(),

@@ -7,11 +7,16 @@ pub(crate) use crate::rules::{siebel, tensile_strength};
 use crate::solver::mesh;
 use std::f64::consts::FRAC_PI_2;
 
-/// Throat less punch \[mm\]; for a closed die or a punch that widens, the smallest gap at the full travel.
-pub(crate) fn clearance(model: &Model) -> Option<f64> {
+/// Throat less punch \[mm\]; for a closed die or a punch that widens, the smallest gap after this travel \[mm\].
+pub(crate) fn clearance(model: &Model, travel: f64) -> Option<f64> {
     let (punch, die) = (model.tool(Role::Punch)?, model.tool(Role::Die)?);
-    let straight = throat(die).filter(|_| !widens(punch, model.travel));
-    Some(straight.map_or_else(|| gap(punch, die, model.travel).0, |throat| throat - extent(punch).1))
+    let straight = throat(die).filter(|_| !widens(punch, travel));
+    Some(straight.map_or_else(|| gap(punch, die, travel).0, |throat| throat - extent(punch).1))
+}
+
+/// True of a die with a land, as of a ring that irons on purpose.
+pub(super) fn has_land(model: &Model) -> bool {
+    model.tool(Role::Die).is_some_and(|die| die.profile.land().is_some())
 }
 
 /// Blank over the punch's [`mouth`], where a blank is drawn in over a punch that is smaller.

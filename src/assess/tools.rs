@@ -30,7 +30,7 @@ pub(super) fn dry_friction(model: &Model, tool: &Tool) -> Option<Finding> {
 
 pub(super) fn narrow(model: &Model) -> Option<Finding> {
     let t = model.blank.thickness;
-    let gap = estimate::clearance(model).filter(|gap| *gap < t * LEAST)?;
+    let gap = estimate::clearance(model, model.travel).filter(|gap| *gap < t * LEAST)?;
     let size = Amount::size(t);
     let text = format!(
         "at the full travel punch and die are {{}} apart, less than the thickness of {size}: thicker sheet is ironed"
@@ -42,15 +42,15 @@ pub(super) fn narrow(model: &Model) -> Option<Finding> {
 pub(super) fn clearance(run: &Run) -> Option<Finding> {
     let blank = &run.case.model().blank;
     let judged = |i: usize, stage: &StageSolution| {
-        let mut placed = stage.model.clone();
+        let (model, mut travel) = (&stage.model, stage.model.travel);
         // New tools of a later stage begin where they touch the sheet.
         if let (Some(frame), true) = (stage.frames.last(), run.case.stages[i].begin.meets.contains(&Role::Die)) {
-            let tools = placed.tools.iter().zip(&frame.tool_displacement);
+            let tools = model.tools.iter().zip(&frame.tool_displacement);
             let moved = |role: Role| tools.clone().find(|(tool, _)| tool.role == role).map_or(0.0, |(_, by)| by.y);
-            placed.travel = moved(Role::Punch) - moved(Role::Die);
+            travel = moved(Role::Punch) - moved(Role::Die);
         }
-        let gap = estimate::clearance(&placed)? / blank.thickness;
-        if gap < LEAST && has_land(stage) {
+        let gap = estimate::clearance(model, travel)? / blank.thickness;
+        if gap < LEAST && estimate::has_land(model) {
             return None;
         }
         let upright = is_upright(stage).unwrap_or(false);
@@ -72,11 +72,6 @@ pub(super) fn clearance(run: &Run) -> Option<Finding> {
     new.filter_map(|(i, stage)| judged(i, stage)).max_by_key(|finding| finding.light)
 }
 
-/// True of a die with a land, as of a ring that irons on purpose.
-fn has_land(stage: &StageSolution) -> bool {
-    stage.model.tool(Role::Die).is_some_and(|die| die.profile.land().is_some())
-}
-
 pub(super) fn ironing(run: &Run) -> Option<Finding> {
     let most = run.steps().max_by(|a, b| a.ironing.total_cmp(&b.ironing))?;
     let text = match run.steps().find(|step| step.ironing > IRONED) {
@@ -88,7 +83,7 @@ pub(super) fn ironing(run: &Run) -> Option<Finding> {
             Amount::stress(run.largest(|step| step.ironing_pressure)?)
         ),
     };
-    let (careful, advice) = if run.stages.iter().any(has_land) {
+    let (careful, advice) = if run.stages.iter().any(|stage| estimate::has_land(&stage.model)) {
         (RING, "one ring more (`stampflow new cup --rings`), or a thicker wall")
     } else {
         (LIGHTLY, "a wider gap between punch and die there (`stampflow new cup --clearance`), or one draw more")

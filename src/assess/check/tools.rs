@@ -15,7 +15,7 @@ const FEW: usize = 4;
 pub(super) fn lines(model: &Model) -> Vec<Line> {
     let mut lines: Vec<Line> = model.tools.iter().map(|tool| of_tool(model, tool)).collect();
     lines.extend((model.travel > 0.0).then(|| number("travel", Amount::set(model.travel), pace(model))));
-    lines.extend(estimate::clearance(model).map(|clearance| {
+    lines.extend(estimate::clearance(model, model.travel).map(|clearance| {
         let over_t = format!("or {}", Amount::thicknesses(clearance / model.blank.thickness));
         number("clearance", Amount::drawn(clearance), over_t)
     }));
