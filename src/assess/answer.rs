@@ -1,5 +1,6 @@
 //! Verdict in one sentence, its failure modes, and the numbers of the part.
 
+use super::filling::Filling;
 use super::press::{Load, RESERVE, with_tonnes};
 use super::tear::{self, Tear, place, tear};
 use super::{finding::labels, *};
@@ -143,6 +144,8 @@ fn numbers(case: &Case, stages: &[StageSolution], is_torn: bool) -> Vec<Quantity
     let all = [
         end.and_then(|end| thinnest(stages, end, is_torn)),
         load(case, stages, 0.0),
+        closing(case, stages),
+        stages.first().and_then(die_gap),
         stages.last().and_then(hole),
         stages.first().and_then(holder),
         stages.first().and_then(pad),
@@ -177,7 +180,7 @@ pub fn largest_force(stages: &[StageSolution]) -> Option<(usize, &StepRecord)> {
     largest(stages, |step| step.punch_force)
 }
 
-/// Largest force over all stages and the press for it with its error bar \[N, or N/mm\], or largest gas pressure if no punch moves.
+/// Largest force over all stages and the press for it with its error bar \[N, or N/mm\], or largest pressure if no punch moves.
 pub(super) fn load(case: &Case, stages: &[StageSolution], bar: f64) -> Option<Quantity> {
     let stage = |i: usize| if formed(stages).count() > 1 { format!("in stage {}", i + 1) } else { String::new() };
     let Some((i, peak)) = largest_force(stages) else {
@@ -186,30 +189,44 @@ pub(super) fn load(case: &Case, stages: &[StageSolution], bar: f64) -> Option<Qu
         let pressure = Quantity::new("pressure", "Pressure", Amount::stress(peak.pressure.abs()));
         return Some(pressure.at(joined([stage(i), at], ", ")));
     };
-    let amount = |force: f64| Amount::force(force, stages[i].model.extent().force_unit());
     let pressed = Load::largest(stages, &case.press)?;
-    let error = if bar > (RESERVE - 1.0) * pressed.force() { ", or the load and its error bar" } else { "" };
-    let (press, reserve) = match case.press.permitted(pressed.left()) {
-        Some(rating) => {
-            let share = Amount::share(pressed.force() / rating);
-            let share = match &case.press.drive {
-                Some(_) => format!("{share} of the {} that the drive permits", with_tonnes(amount(rating))),
-                None => format!("{share} of the press's {}", with_tonnes(amount(rating).to(Digits::Given(3)))),
-            };
-            (share, String::new())
-        }
-        None => {
-            (format!("press of at least {}", pressed.rating(bar)), format!("({RESERVE} × the load{error}, rounded up)"))
-        }
-    };
-    let with_holder = if pressed.holder() > 0.0 { "with the holder" } else { "" };
     let at = joined([stage(i), format!("at {} of travel", Amount::place(peak.travel))], ", ");
     let others = formed(stages).filter(|(other, _)| *other != i).map(|(other, on)| {
         let force = super::largest(on, |step| step.punch_force);
-        if force > 0.0 { format!("{} in stage {}", amount(force), other + 1) } else { String::new() }
+        if force > 0.0 { format!("{} in stage {}", pressed.amount(force), other + 1) } else { String::new() }
     });
-    let about = joined([at, joined(others, ", "), joined([press, with_holder.into(), reserve], " ")], "; ");
-    Some(Quantity::new("punch_force", "Punch force", amount(peak.punch_force)).at(about))
+    let about = joined([at, joined(others, ", "), press(case, &pressed, bar)], "; ");
+    let label = if stages[i].model.tool(Role::Punch).is_some() { "Punch force" } else { "Feed force" };
+    Some(Quantity::new("punch_force", label, pressed.amount(peak.punch_force)).at(about))
+}
+
+/// Share of the press's rating, or press for a load and its error bar \[N, or N/mm\].
+fn press(case: &Case, load: &Load, bar: f64) -> String {
+    let with_holder = if load.holder() > 0.0 { " with the holder" } else { "" };
+    let error = if bar > (RESERVE - 1.0) * load.force() { ", or the load and its error bar" } else { "" };
+    let Some(rating) = case.press.permitted(load.left()) else {
+        return format!(
+            "press of at least {}{with_holder} ({RESERVE} × the load{error}, rounded up)",
+            load.rating(bar)
+        );
+    };
+    let (share, rating) = (Amount::share(load.force() / rating), load.amount(rating));
+    match &case.press.drive {
+        Some(_) => format!("{share} of the {} that the drive permits{with_holder}", with_tonnes(rating)),
+        None => format!("{share} of the press's {}{with_holder}", with_tonnes(rating.to(Digits::Given(3)))),
+    }
+}
+
+/// Force that holds the tools closed against the pressure, the holder's included.
+fn closing(case: &Case, stages: &[StageSolution]) -> Option<Quantity> {
+    let load = Load::largest(stages, &case.press).filter(|load| load.closing() > 0.0)?;
+    Some(Quantity::new("closing_force", "Closing force", load.amount(load.force())).at(press(case, &load, 0.0)))
+}
+
+fn die_gap(stage: &StageSolution) -> Option<Quantity> {
+    let filling = Filling::of(stage)?;
+    let about = format!("to the die, {}", filling.about(std::slice::from_ref(stage)));
+    Some(Quantity::new("die_gap", "Gap", Amount::thickness(filling.gap)).at(about))
 }
 
 /// Clear diameter of the hole at the end, and the thickness of its edge beside t₀ (d₀/d)^(1/(1 + r̄)), that of simple tension.

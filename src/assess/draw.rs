@@ -3,7 +3,6 @@
 use super::estimate::{draw_ratio, has_land, held_area, siebel_pressure};
 use super::{holder::if_open, tear::is_upright, *};
 use crate::case::Finished;
-use crate::material::RValues;
 use crate::measure::{part_height, wall_at};
 use crate::rules::{AUSTENITIC, Metal, ROUNDED_RATIO};
 
@@ -146,7 +145,7 @@ pub(super) fn ears(run: &Run) -> Option<Finding> {
         return Some(grey.limit("trimmed off").advice("`anisotropy = { r0, r45, r90 }` in [material]"));
     };
     let lengths = frame.nodes.windows(2).map(|pair| (pair[1].r - pair[0].r).hypot(pair[1].z - pair[0].z));
-    let ears = rim_heights(&r, lengths.zip(frame.elements.iter().map(|element| element.strain_hoop)));
+    let ears = r.rim_heights(lengths.zip(frame.elements.iter().map(|element| element.strain_hoop)));
     let height = ears.into_iter().fold(f64::NEG_INFINITY, f64::max) - ears.into_iter().fold(f64::INFINITY, f64::min);
     let [along, diagonal, across] = ears.map(Amount::place);
     let text = format!(
@@ -157,22 +156,6 @@ pub(super) fn ears(run: &Run) -> Option<Finding> {
     let source = "an estimate: hoop compression with r by direction (Yoon, Dick and Barlat 2011)";
     let judged = Finding::judged("ears", "Ears", text).number(Amount::place(height));
     Some(judged.limit("none: more is trimmed off").source(source))
-}
-
-/// Height of the edge of a drawn cup at 0°, 45° and 90° over its mean, along the sheet \[mm\].
-///
-/// ```text
-/// ΔL(α) = Σ ℓ {exp[−(m_α − m̄) ε_θ] − 1},   m = r/(1 + r),   r_α = r(α + 90°)      over parts with ε_θ < 0
-/// ```
-///
-/// `parts` has the length ℓ \[mm\] and the logarithmic hoop strain ε_θ of each, as computed with r̄. Source: J. W. Yoon,
-/// R. E. Dick, F. Barlat, Int. J. Plasticity 27 (2011) 1165–1184 (abstract read; derived here).
-fn rim_heights(r: &RValues, parts: impl Iterator<Item = (f64, f64)> + Clone) -> [f64; 3] {
-    let share = |r: f64| r / (1.0 + r);
-    let mean = share(r.mean());
-    [r.r90, r.r45, r.r0].map(|r| {
-        parts.clone().map(|(length, hoop): (f64, f64)| length * (-(share(r) - mean) * hoop.min(0.0)).exp_m1()).sum()
-    })
 }
 
 /// Part of the rim or the flange that is left to trim off, or is missing, and what the finished part measures.
@@ -203,23 +186,4 @@ pub(super) fn trim(stage: &StageSolution) -> Option<Finding> {
     let wanted = Amount::size(cut.asked);
     let text = format!("the sheet is cut to r = {{}} instead of {wanted}: {} whole elements go", cut.elements);
     Some(Finding::warning("trim", "Trim", text).number(Amount::size(cut.edge)).limit(wanted).source("the case's trim"))
-}
-
-/// Trust: the closed form of a flange drawn into a wall of radius a from a blank of radius b: a part at ρ becomes (ρ/a)^m long
-/// by its own, ∫ (ρ/a)^m dρ = a/(m + 1) [(b/a)^(m+1) − 1], here less that of m̄; 2000 parts, second order in their length.
-#[cfg(test)]
-#[test]
-fn ears_of_a_flange_are_those_of_the_closed_form() {
-    let sheet = RValues { r0: 0.525, r45: 0.248, r90: 0.429 };
-    assert_eq!((sheet.mean(), sheet.planar()), (0.3625, 0.229));
-    let (a, b, count) = (30.0_f64, 55.0_f64, 2000);
-    let wall = |m: f64| a / (m + 1.0) * ((b / a).powf(m + 1.0) - 1.0);
-    let share = |r: f64| r / (1.0 + r);
-    let mean = share(sheet.mean());
-    let width = (b - a) / f64::from(count);
-    let places = (0..count).map(|i| a + width * (f64::from(i) + 0.5));
-    let ears = rim_heights(&sheet, places.map(|at| (width * (at / a).powf(mean), (a / at).ln())));
-    for (ear, r) in ears.into_iter().zip([sheet.r90, sheet.r45, sheet.r0]) {
-        assert!((ear - (wall(share(r)) - wall(mean))).abs() < 1e-5, "{ears:?}");
-    }
 }

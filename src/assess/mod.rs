@@ -11,6 +11,7 @@ mod draw;
 mod edge;
 pub mod error_bars;
 pub mod estimate;
+mod filling;
 mod finding;
 mod forming_limit;
 mod fracture;
@@ -38,7 +39,7 @@ use crate::geometry::Piece;
 use crate::material::YieldCriterion;
 use crate::measure::events;
 use crate::model::{Edge, Geometry, Mode, Model, Motion, Role, Tool, tool_sizes::extent};
-use crate::solver::solution::{StageSolution, StepRecord, StopKind};
+use crate::solver::solution::{NodeRecord, StageSolution, StepRecord, StopKind};
 use crate::table::worded;
 use crate::units::{Amount, Digits, ErrorBar, Limits, Quantity, Sense, Unit, joined, rounded, significant};
 use forming_limit::Nearest;
@@ -75,6 +76,7 @@ const ON_RUN: &[fn(&Run) -> Option<Finding>] = &[
     press::force,
     press::energy,
     holder::judge,
+    filling::judge,
     tools::clearance,
     tools::ironing,
     springback::judge,

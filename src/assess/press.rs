@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::case::Press;
+use crate::model::Gas;
 use crate::table::JOULES;
 use crate::units::DisplaySettings;
 
@@ -12,7 +13,7 @@ pub(super) const RESERVE: f64 = 1.2;
 /// Metric tonne-force \[N\].
 const TONNE: f64 = 9806.65;
 
-/// Largest load of a press: its ram bears the punch, and with it the cushion that presses the holder.
+/// Largest load of a press: its ram bears the punch, or a pressure that opens the tools, and with it what presses the holder.
 pub(super) struct Load<'a> {
     stage: usize,
     on: &'a StageSolution,
@@ -22,13 +23,18 @@ pub(super) struct Load<'a> {
 }
 
 impl<'a> Load<'a> {
-    /// Largest over all stages, of forces over what the press permits at their travel; `None` if no punch presses.
+    /// Largest over all stages, of forces over what the press permits at their travel; `None` if nothing presses.
     pub fn largest(stages: &'a [StageSolution], press: &Press) -> Option<Self> {
         let steps = formed(stages).flat_map(|(stage, on)| {
             on.steps.iter().zip(&on.tool_forces).map(move |(step, forces)| Self { stage, on, step, forces })
         });
         let share = |load: &Self| load.force() / press.permitted(load.left()).unwrap_or(1.0);
         steps.filter(|load| load.driven() > 0.0).max_by(|a, b| share(a).total_cmp(&share(b)))
+    }
+
+    /// Force in the unit of the section.
+    pub fn amount(&self, force: f64) -> Amount {
+        Amount::force(force, self.on.model.extent().force_unit())
     }
 
     /// Travel left \[mm\].
@@ -48,7 +54,19 @@ impl<'a> Load<'a> {
         let is_driven = |tool: &Tool| !matches!(tool.motion, Motion::Fixed | Motion::Pressed(_));
         let tools = self.on.model.tools.iter().zip(self.forces);
         let below = tools.filter(|(tool, _)| matches!(tool.role, Role::Lower(_)) && is_driven(tool));
-        self.step.punch_force + below.map(|(_, force)| force).sum::<f64>()
+        self.step.punch_force + below.map(|(_, force)| force).sum::<f64>() + self.closing()
+    }
+
+    /// Force that holds the tools of a flat sheet without a punch closed: the larger pressure of both faces over the area within
+    /// its seal \[N, or N/mm\].
+    pub fn closing(&self) -> f64 {
+        let model = &self.on.model;
+        let given = |gas: &Gas| gas.pressure.prescribed(self.step.time);
+        let known: f64 = model.gas.iter().filter_map(|gas| Some(gas.face.sign() * given(gas)?)).sum();
+        let force =
+            |gas: &Gas| given(gas).unwrap_or((self.step.pressure - known).abs()) * model.extent().area(gas.within);
+        let is_held = model.travel == 0.0 && model.blank.meridian.is_none();
+        model.gas.iter().filter(|_| is_held).map(force).fold(0.0, f64::max)
     }
 
     /// Force of these and of the holder at the same instant \[N, or N/mm\].
@@ -61,7 +79,7 @@ impl<'a> Load<'a> {
         let least = f64::max(RESERVE * self.force(), self.force() + bar);
         let second_digit = 10f64.powi(least.log10().floor() as i32 - 1);
         let rating = (least / second_digit - 1e-9).ceil() * second_digit;
-        with_tonnes(Amount::force(rating, self.on.model.extent().force_unit()))
+        with_tonnes(self.amount(rating))
     }
 }
 
@@ -81,15 +99,14 @@ pub(super) fn force(run: &Run) -> Option<Finding> {
     let press = &run.case.press;
     let load = Load::largest(run.stages, press)?;
     let permitted = press.permitted(load.left());
-    let amount = |force| Amount::force(force, load.on.model.extent().force_unit());
-    let at = format!("{{}}{} at {} of travel", per_depth(amount(0.0)), Amount::place(load.step.travel));
-    let parts = match load.holder() {
-        0.0 => String::new(),
-        holder => {
-            let of = if load.on.model.further.is_empty() { "punch" } else { "punch and further tools" };
-            format!("{of} {}, holder {}", amount(load.driven()), amount(holder))
-        }
+    let amount = |force| load.amount(force);
+    let instant = match load.closing() {
+        0.0 => instant(load.on, load.step.travel, load.step.time),
+        _ => Amount::stress(load.step.pressure.abs()).to_string(),
     };
+    let at = format!("{{}}{} at {instant}", per_depth(amount(0.0)));
+    let held = Some(load.holder()).filter(|force| *force > 0.0);
+    let parts = held.map_or_else(String::new, |force| format!("{} of it the holder's", amount(force)));
     let angle = press.drive.as_ref().map_or_else(String::new, |drive| {
         format!(", {} before the bottom dead centre", Amount::angle(drive.degrees(load.left())))
     });
@@ -104,7 +121,7 @@ pub(super) fn force(run: &Run) -> Option<Finding> {
 
 pub(super) fn energy(run: &Run) -> Option<Finding> {
     let work = |step: &StepRecord| (JOULES * step.work.external, ());
-    let forms = |stage: &StageSolution| stage.model.release.is_none();
+    let forms = |stage: &StageSolution| stage.model.release.is_none() && stage.model.travel > 0.0;
     let (i, work, ()) = run.peak(|_, stage| stage.steps.last().filter(|_| forms(stage)).map(work))?;
     let work = Amount::force(work, run.stages.first()?.model.extent().energy_unit());
     let rating = run.case.press.energy.map(|energy| JOULES * energy);

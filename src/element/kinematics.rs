@@ -210,6 +210,3 @@ impl Current {
         [hoop - c, -s, 0.0, hoop + c, s, 0.0].into()
     }
 }
-
-#[cfg(test)]
-mod tests;

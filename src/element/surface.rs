@@ -89,14 +89,3 @@ pub fn add_thickness_second(matrix: &mut Matrix6, first: &Vector6, thickness: f6
         matrix[(i + 1, j + 1)] -= sign * own;
     }
 }
-
-/// Trust: the arc itself; what is left of the sag is of fourth order in the angle, here 0.1 rad.
-#[cfg(test)]
-#[test]
-fn nodes_on_an_arc_put_the_points_between_on_it() {
-    let on = |angle: f64| [25.0 * angle.sin(), 25.0 * angle.cos(), -angle];
-    let sag = 25.0 * (1.0 - 0.05_f64.cos());
-    for station in INSIDE {
-        approx::assert_relative_eq!(station.position(&on(0.3), &on(0.4)).norm(), 25.0, epsilon = 0.01 * sag);
-    }
-}

@@ -29,7 +29,7 @@ pub mod step {
         THINNEST_S0 = thinnest_s0, PLACE, Mm;
         POLE_HEIGHT = pole_height, ["Height of the middle"; 2], Mm;
         TEARING_INDEX = tearing_index, ["Tearing index"; 2], None;
-        PRESSURE = pressure, ["Gas pressure"; 2], MPa;
+        PRESSURE = pressure, ["Pressure"; 2], MPa;
     }
 
     const PLACE: [&str; 2] = [

@@ -6,7 +6,7 @@ use super::*;
 const LONG: f64 = 600.0;
 /// Least span of an axis over its largest value.
 const LEAST: f64 = 0.02;
-pub(crate) const PRESSURE: Field<StepRecord> = Field::new("pressure", "Gas pressure", Unit::MPa, |s| s.pressure.abs());
+pub(crate) const PRESSURE: Field<StepRecord> = Field::new("pressure", "Pressure", Unit::MPa, |s| s.pressure.abs());
 pub(crate) const STRAIN_RATE: Field<StepRecord> =
     Field::new("strain_rate", "Strain rate", Unit::PerSecond, |s| s.held_rate);
 pub(crate) const HEIGHT: Field<StepRecord> = Field::new("height", "Dome height", Unit::Mm, |s| s.pole_height.abs());

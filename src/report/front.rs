@@ -73,12 +73,11 @@ fn picture(report: &Report, stage: usize, file: &'static str, mut chart: Chart, 
     (stage, file, chart, report.stage(stage) + about)
 }
 
-/// Forces of a stage, and the punch forces of the other stages over their own travel; or its gas pressure.
+/// Forces of a stage, and the punch forces of the other stages over their own travel; or its pressure.
 fn forces(report: &Report, stage: usize) -> Option<FrontPicture> {
     let (view, _) = &report.stages[stage];
     let is_by_punch = view.model().travel > 0.0;
-    let mut about =
-        if is_by_punch { "forces over the punch travel" } else { "gas pressure over the height of the dome" };
+    let mut about = if is_by_punch { "forces over the punch travel" } else { "pressure over the height of the dome" };
     let mut chart = load_travel::plot(view)?;
     let panel = chart.panels.first_mut()?;
     let forming = report.stages.iter().enumerate().filter(|(_, (view, _))| view.model().release.is_none());

@@ -9,7 +9,7 @@ const COLUMNS: [(&str, &str); 8] = [
     ("Travel", "travel"),
     ("Punch, peak", "peak_punch_force"),
     ("Holder, peak", "peak_holder_force"),
-    ("Gas, peak", "peak_pressure"),
+    ("Pressure, peak", "peak_pressure"),
     ("Thinnest", "thinnest"),
     ("Draw-in", "draw_in"),
     ("Limit used", "forming_ratio"),

@@ -36,7 +36,7 @@ pub const OUTPUTS: &[Output] = &[
     table("residual_stress.csv", "stress at every thickness point after release", tables::residual_stress),
     picture("residual_stress.png", "residual stress through the thickness", plot::residual_stress::plot),
     picture("load_travel.png", "forces over the punch travel", plot::load_travel::plot),
-    table("pressure_cycle.csv", "gas pressure and the strain rate it holds, over time", tables::pressure_cycle),
+    table("pressure_cycle.csv", "pressure and the strain rate it holds, over time", tables::pressure_cycle),
     picture("pressure_cycle.png", "the same, and the height of the dome", plot::pressure_cycle::plot),
     picture("thickness.png", "thickness over the blank at every kept frame, and over the part", profiles::thickness),
     picture("tearing.png", "tearing index over the blank at every kept frame", profiles::tearing_index),

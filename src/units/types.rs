@@ -155,7 +155,7 @@ macro_rules! quantities {
 // A thermal conductivity in N/(s K) is one in W/(m K), a heat transfer in N/(mm s K) one in kW/(m² K).
 quantities! {
     Length: "a length", "mm", 1e5, ["0.9 mm", "0.035 in"];
-    Stress: "a stress", "MPa", 1e7, ["210 GPa", "5.4 tonf_uk/in^2"];
+    Stress: "a stress", "MPa", 1e7, ["20 MPa", "5.4 tonf_uk/in^2"];
     Force: "a force", "N", 1e9, ["80 kN", "5000 N"];
     LineForce: "a force per length", "N/mm", 1e7, ["1300 N/mm", "1300 kN/m"];
     Angle: "an angle", "rad", 100.0, ["90 deg", "1.57 rad"];

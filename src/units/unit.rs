@@ -141,12 +141,3 @@ impl DisplaySettings {
         DisplayUnit { symbol, factor }
     }
 }
-
-/// Trust: factors by hand, with the exact definitions of inch and pound-force.
-#[cfg(test)]
-#[test]
-fn headers_end_in_units() {
-    for (header, factor) in [("x_in", 25.4), ("x_lbf", 4.448_221_615_260_5), ("x_kN_per_m", 1.0)] {
-        assert_eq!(Unit::of_header(header).map(|found| found.1), Ok(factor), "{header}");
-    }
-}

@@ -1,6 +1,8 @@
 //! Laws of hardening, rate and temperature over the whole list of examples, and Hill's yield condition.
 
 use crate::common::prelude::*;
+use stampflow::contact::friction::Sliding;
+use stampflow::material::RValues;
 
 /// Trust: central differences, h = 1e-4 ε: truncation near 1e-8 of the slope, cancellation below 1e-6.
 #[test]
@@ -95,5 +97,46 @@ fn every_law_softens() {
     for (name, law) in ThermalLaw::examples() {
         let factors: Vec<f64> = (250..1200).map(|t| law.at(f64::from(t))).collect();
         assert!(factors.windows(2).all(|w| w[1] <= w[0] && w[1] > 0.0), "{name}");
+    }
+}
+
+/// Trust: central differences; h = 1e-5 of the smallest length in the law, truncation near 1e-9 of the entry. Friction takes
+/// power, is odd in the slip and stays below the law's largest coefficient.
+#[test]
+fn friction_opposes_sliding_and_its_derivatives_agree_with_differences() {
+    let mut rng = fastrand::Rng::with_seed(7);
+    let mut between = |low: f64, high: f64| low + (high - low) * rng.f64();
+    for (name, law) in (0..256).flat_map(|_| Friction::examples()) {
+        let (pressure, slip, scale) = (between(1e-3, 500.0), between(-0.3, 0.3), between(1e-4, 1e-2));
+        let at = Sliding { pressure, slip, scale, duration: between(1e-3, 1.0), shear_yield: between(20.0, 400.0) };
+        let drag = law.at(&at);
+        let value = |slip: f64, pressure: f64| law.at(&Sliding { slip, pressure, ..at }).value;
+        let (h, k) = (1e-5 * scale, 1e-5 * pressure);
+        let by_slip = (value(slip + h, pressure) - value(slip - h, pressure)) / (2.0 * h);
+        assert!((by_slip - drag.by_slip).abs() < 1e-6 * drag.value.abs() / scale, "{name} by slip, {at:?}");
+        let by_pressure = (value(slip, pressure + k) - value(slip, pressure - k)) / (2.0 * k);
+        assert!((by_pressure - drag.by_pressure).abs() < 1e-6 * drag.value.abs() / pressure, "{name}, {at:?}");
+        assert!(drag.value * slip >= 0.0 && value(-slip, pressure) == -drag.value, "{name}, {at:?}");
+        let viscous = if let Friction::Stribeck(law) = law { law.viscous * slip.abs() / at.duration } else { 0.0 };
+        let most = (law.largest_coefficient() + viscous) * pressure;
+        assert!(drag.value.abs() <= most * (1.0 + 1e-12), "{name}, {at:?}");
+    }
+}
+
+/// Trust: the closed form of a flange drawn into a wall of radius a from a blank of radius b: a part at ρ becomes (ρ/a)^m long
+/// by its own, ∫ (ρ/a)^m dρ = a/(m + 1) [(b/a)^(m+1) − 1], here less that of m̄; 2000 parts, second order in their length.
+#[test]
+fn ears_of_a_flange_are_those_of_the_closed_form() {
+    let sheet = RValues { r0: 0.525, r45: 0.248, r90: 0.429 };
+    assert_eq!((sheet.mean(), sheet.planar()), (0.3625, 0.229));
+    let (a, b, count) = (30.0_f64, 55.0_f64, 2000);
+    let wall = |m: f64| a / (m + 1.0) * ((b / a).powf(m + 1.0) - 1.0);
+    let share = |r: f64| r / (1.0 + r);
+    let mean = share(sheet.mean());
+    let width = (b - a) / f64::from(count);
+    let places = (0..count).map(|i| a + width * (f64::from(i) + 0.5));
+    let ears = sheet.rim_heights(places.map(|at| (width * (at / a).powf(mean), (a / at).ln())));
+    for (ear, r) in ears.into_iter().zip([sheet.r90, sheet.r45, sheet.r0]) {
+        assert!((ear - (wall(share(r)) - wall(mean))).abs() < 1e-5, "{ears:?}");
     }
 }

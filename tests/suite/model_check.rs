@@ -227,3 +227,19 @@ fn a_stage_that_cannot_go_on_is_refused() {
         assert_eq!(solutions[1].stop.kind, StopKind::Refused);
     }
 }
+
+/// Trust: the words of the trade, written out by hand.
+#[test]
+fn words_and_texts_name_their_tools_in_three_languages() {
+    use Role::{Die, Holder, Pad, Punch};
+    for (texts, roles) in [
+        ("punch, OP20_PUNCH, OP10 - Ziehstempel unten, draw punch, Poinçon, poinc\u{327}on", &[Punch][..]),
+        ("LowerDie2, lowerdie, draw_die, Matrize, Ziehring, matrice", &[Die]),
+        ("SERRE FLAN, Blank holder 1, binder, blank_holder, Blech-Niederhalter, serre-tôle", &[Holder]),
+        ("punch and die", &[Punch, Die]),
+        ("Gegenhalter, counter-punch, OP10_PAD, Auswerfer 2, éjecteur", &[Pad]),
+        ("Stempelhalter, Radien, centre line, blank, ring", &[]),
+    ] {
+        texts.split(", ").for_each(|text| assert_eq!(Role::named_in(text), roles, "{text}"));
+    }
+}

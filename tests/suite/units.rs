@@ -2,6 +2,7 @@
 
 use crate::common::prelude::*;
 use proptest::prelude::*;
+use stampflow::table::Unit;
 use stampflow::units::{
     Angle, Conductivity, Density, Dimensioned, Energy, Force, HeatTransfer, Length, LineForce, PerKelvin, Positive,
     QuantityError, Ratio, SpecificHeat, Speed, Stress, Temperature, Time, parse, rounded, significant, trimmed,
@@ -75,4 +76,12 @@ fn numbers_are_written_without_noise() {
         assert_eq!(trimmed(value, decimals), text);
     }
     assert_eq!([without_zeros("10.500"), without_zeros("100")], ["10.5", "100"]);
+}
+
+/// Trust: factors by hand, with the exact definitions of inch and pound-force.
+#[test]
+fn headers_end_in_units() {
+    for (header, factor) in [("x_in", 25.4), ("x_lbf", 4.448_221_615_260_5), ("x_kN_per_m", 1.0)] {
+        assert_eq!(Unit::of_header(header).map(|found| found.1), Ok(factor), "{header}");
+    }
 }

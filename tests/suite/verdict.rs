@@ -86,6 +86,21 @@ fn later_draws_are_judged_too() {
     assert!((row(&found, "energy").value().unwrap() - works.fold(0.0, f64::max)).abs() < 1e-9);
 }
 
+/// Trust: by hand, p π a² of a clamped disc of 56 mm against a press of 500 kN; a third of σ t/r leaves the corner open.
+#[test]
+fn pressure_fills_a_die_and_pushes_its_press_open() {
+    for (pressure, lights) in [(20.0, [Light::Red, Light::Green]), (71.0, [Light::Green, Light::Red])] {
+        let case = made("hydroform", &[("pressure", &format!("{pressure} MPa"))], &["press.force=500 kN"]);
+        let found = judged(&case, &solve(&case.stages, &mut ()));
+        assert_eq!(["filling", "press_force"].map(|key| row(&found, key).light), lights, "{found:?}");
+        assert_relative_eq!(
+            row(&found, "press_force").value().unwrap(),
+            pressure * PI * 56.0 * 56.0,
+            max_relative = 1e-9
+        );
+    }
+}
+
 fn answered(name: &str, overrides: &[&str]) -> (Answer, Vec<Finding>) {
     let case = shipped_case(name, overrides);
     let stages = solve(&case.stages, &mut ());

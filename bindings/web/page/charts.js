@@ -21,7 +21,7 @@ export function drawLoad(host, { stage, picture, other, onTravel }) {
   const [over, xLabel] = byGas ? [steps.pole_height, "Height of the middle"] : [steps.travel, "Punch travel"];
   const { by, unit } = byGas ? { by: 1, unit: "MPa" } : forceUnit(stage);
   const keys = byGas
-    ? [["pressure", "Gas pressure"]]
+    ? [["pressure", "Pressure"]]
     : [["punch_force", "Punch force"], ["holder_force", "Holder force"], ["edge_force", "Edge force"]];
   const acts = keys.filter(([key], i) => i === 0 || steps[key].some((value) => value !== 0));
   const series = acts.map(([key, label], i) => ({ name: label, x: over, y: scaled(steps[key], by), look: `c${i}` }));
@@ -36,7 +36,7 @@ export function drawLoad(host, { stage, picture, other, onTravel }) {
   const now = stage.film.travel[picture];
   draw(host, {
     x: { label: `${xLabel} [mm]` },
-    y: { label: `${byGas ? "Gas pressure" : "Load"} [${unit}]`, least: 1e-6 },
+    y: { label: `${byGas ? "Pressure" : "Load"} [${unit}]`, least: 1e-6 },
     series,
     flags: [...flags, { x: over[peak], y: main[peak], label: text }],
     cursor: byGas ? undefined : { x: now, y: main[nearest(over, now)] },

@@ -128,7 +128,7 @@ fn of_gas(model: &Model, gas: &Gas) -> Line {
     let place = format!("on the {face} face within {within}, for {time}");
     let control = match &gas.pressure {
         Pressure::OverTime(history) => {
-            return number("gas pressure", Amount::given_stress(history.largest()), format!("at most {place}"));
+            return number("pressure", Amount::given_stress(history.largest()), format!("at most {place}"));
         }
         Pressure::Rate(control) => control,
     };

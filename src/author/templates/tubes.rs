@@ -88,8 +88,8 @@ pub(super) fn bulge(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError>
     ensure(0.5 * length > half + feed + r, what, "make --length larger, or --feed or --width smaller")?;
     let stress = |strain: f64| sheet.metal.hardening.at(strain).stress;
     let bulged = stress((bulge / outside).ln());
-    let why = "half of σ t/r of the die's corner, with the flow stress of the bulge: it fills to about 2 r, declared";
-    let pressure = inputs.pick("pressure", || Picked::by(rounded_up(0.5 * bulged * t / r, 2), why));
+    let why = "σ t/r of the die's corner, with the flow stress of the bulge";
+    let pressure = inputs.pick("pressure", || Picked::by(rounded_up(bulged * t / r, 2), why));
     let [out, into] = [Point::new(outside + r, -half - r), Point::new(bulge - r, -half + r)];
     let flank = (into.x - out.x > 1e-3).then_some((Point::new(into.x, -half), None));
     let onto = [(Point::new(outside, out.y), None), (Point::new(out.x, -half), Some((out, false)))];

@@ -136,7 +136,7 @@ impl CaseFile {
             let help =
                 format!("from half a thickness to {} mm, where five thicknesses of sheet are left", rounded(room));
             source.require((0.5 * thickness..=room).contains(&hole), &format!("blank.{key}"), what, help)?;
-            let what = "gas would escape through the hole";
+            let what = "the pressure would escape through the hole";
             source.require(self.gas.is_none(), &format!("blank.{key}"), what, "drop the hole or [gas]")?;
             hole
         } else {

@@ -152,7 +152,7 @@ impl StageContext<'_> {
 
     fn stage(&self) -> Result<model::Stage> {
         if !self.before.gas.is_empty() {
-            self.source.note("gas acts in the first stage only");
+            self.source.note("pressure acts in the first stage only");
         }
         let mut model = self.at_rest();
         for (k, name) in self.written.remove.iter().enumerate() {

@@ -213,7 +213,7 @@ impl Gas {
             let pressure = written.pressure(key, duration, source)?;
             let within = written.within.map(Dimensioned::value).or_else(|| {
                 let (what, r) = seal?;
-                source.note(format!("gas acts up to {what}, {}", Amount::size(r)));
+                source.note(format!("pressure acts up to {what}, {}", Amount::size(r)));
                 Some(r)
             });
             gas.push(model::Gas { face, pressure, within: within.unwrap_or(length) });

@@ -101,27 +101,3 @@ impl Friction {
         self
     }
 }
-
-/// Trust: central differences; h = 1e-5 of the smallest length in the law, truncation near 1e-9 of the entry. Friction takes
-/// power, is odd in the slip and stays below the law's largest coefficient.
-#[cfg(test)]
-#[test]
-fn friction_opposes_sliding_and_its_derivatives_agree_with_differences() {
-    let mut rng = fastrand::Rng::with_seed(7);
-    let mut between = |low: f64, high: f64| low + (high - low) * rng.f64();
-    for (name, law) in (0..256).flat_map(|_| Friction::examples()) {
-        let (pressure, slip, scale) = (between(1e-3, 500.0), between(-0.3, 0.3), between(1e-4, 1e-2));
-        let at = Sliding { pressure, slip, scale, duration: between(1e-3, 1.0), shear_yield: between(20.0, 400.0) };
-        let drag = law.at(&at);
-        let value = |slip: f64, pressure: f64| law.at(&Sliding { slip, pressure, ..at }).value;
-        let (h, k) = (1e-5 * scale, 1e-5 * pressure);
-        let by_slip = (value(slip + h, pressure) - value(slip - h, pressure)) / (2.0 * h);
-        assert!((by_slip - drag.by_slip).abs() < 1e-6 * drag.value.abs() / scale, "{name} by slip, {at:?}");
-        let by_pressure = (value(slip, pressure + k) - value(slip, pressure - k)) / (2.0 * k);
-        assert!((by_pressure - drag.by_pressure).abs() < 1e-6 * drag.value.abs() / pressure, "{name}, {at:?}");
-        assert!(drag.value * slip >= 0.0 && value(-slip, pressure) == -drag.value, "{name}, {at:?}");
-        let viscous = if let Friction::Stribeck(law) = law { law.viscous * slip.abs() / at.duration } else { 0.0 };
-        let most = (law.largest_coefficient() + viscous) * pressure;
-        assert!(drag.value.abs() <= most * (1.0 + 1e-12), "{name}, {at:?}");
-    }
-}

@@ -70,7 +70,7 @@ impl Lines<'_> {
             self.number("peak_travel", "  at a travel of", Amount::place(peak.travel));
         }
         if !model.gas.is_empty() {
-            self.number("peak_pressure", "Largest gas pressure", Amount::stress(largest(run, |s| s.pressure.abs())));
+            self.number("peak_pressure", "Largest pressure", Amount::stress(largest(run, |s| s.pressure.abs())));
             self.number("pole_height", "Height of the middle", Amount::place(last.pole_height));
         }
         if let Some(control) = model.rate_control() {
