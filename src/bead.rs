@@ -27,7 +27,6 @@ const BEFORE: f64 = 2.0 / 3.0;
 const FLATS: f64 = 4.0;
 const CLEARANCE: f64 = 1.1;
 const APART: f64 = 1.02;
-/// Most strips that are remembered.
 const REMEMBERED: usize = 64;
 
 /// Strip pulled through a bead; forces are per length of the bead's line.

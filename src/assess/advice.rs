@@ -96,7 +96,6 @@ impl Tried {
     }
 }
 
-/// Worst light of the design, and how many rows are red and amber.
 fn score(findings: &[Finding]) -> (Light, usize, usize) {
     let lights = || judgements(findings).filter(|row| !NO_DESIGN.contains(&row.key)).map(|row| row.light);
     let count = |light| lights().filter(|own| *own == light).count();

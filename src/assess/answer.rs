@@ -138,7 +138,6 @@ impl FailureMode {
     }
 }
 
-/// Thinnest place, force and press, holder, blank, angle of a sprung bend, height, rim, draw-in, opening of a slit ring.
 fn numbers(case: &Case, stages: &[StageSolution], is_torn: bool) -> Vec<Quantity> {
     let end = stages.last().and_then(|stage| stage.steps.last());
     let all = [
@@ -169,7 +168,6 @@ fn thinnest(stages: &[StageSolution], end: &StepRecord, is_torn: bool) -> Option
     Some(Quantity::new("thinnest", "Thinnest", Amount::thickness(end.thinnest)).at(joined(about, ", ")))
 }
 
-/// Step of the largest value, and the number of its stage.
 fn largest(stages: &[StageSolution], value: fn(&StepRecord) -> f64) -> Option<(usize, &StepRecord)> {
     let steps = formed(stages).flat_map(|(i, stage)| stage.steps.iter().map(move |step| (i, step)));
     steps.max_by(|a, b| value(a.1).total_cmp(&value(b.1))).filter(|(_, step)| value(step) > 0.0)
@@ -217,7 +215,6 @@ fn press(case: &Case, load: &Load, bar: f64) -> String {
     }
 }
 
-/// Force that holds the tools closed against the pressure, the holder's included.
 fn closing(case: &Case, stages: &[StageSolution]) -> Option<Quantity> {
     let load = Load::largest(stages, &case.press).filter(|load| load.closing() > 0.0)?;
     Some(Quantity::new("closing_force", "Closing force", load.amount(load.force())).at(press(case, &load, 0.0)))
@@ -243,7 +240,6 @@ fn hole(stage: &StageSolution) -> Option<Quantity> {
     (hole > 0.0).then(|| Quantity::new("hole", "Hole", Amount::place(hole)).at(about))
 }
 
-/// Outside diameter at the end of a sheet that is not flat.
 fn end(frame: &Frame) -> Option<Quantity> {
     let [.., before, node] = &frame.nodes[..] else { return None };
     let upright = (node.z - before.z) / (node.z - before.z).hypot(node.r - before.r);
@@ -257,7 +253,6 @@ fn pad(stage: &StageSolution) -> Option<Quantity> {
     Some(Quantity::new("pad_force", "Pad", force.to(Digits::Significant(3))).at("at its largest, against the punch"))
 }
 
-/// Largest force of each further tool.
 fn further(stages: &[StageSolution]) -> Option<Quantity> {
     let model = &stages.last()?.model;
     let amount = |force: f64| Amount::force(force, model.extent().force_unit()).to(Digits::Significant(3));
@@ -281,7 +276,6 @@ fn holder(stage: &StageSolution) -> Option<Quantity> {
     Some(Quantity::new("holder_force", "Holder", force.to(Digits::Significant(3))).at("at its largest"))
 }
 
-/// Stripping force of a cup that has left its die.
 fn stripping(stage: &StageSolution) -> Option<Quantity> {
     let force = stripping_force(stage).filter(|force| *force > 0.0 && stage.stop.kind == StopKind::LeftDie)?;
     let force = Amount::force(force, stage.model.extent().force_unit());
@@ -301,7 +295,6 @@ fn blank(model: &Model) -> Quantity {
     Quantity::new("blank", "Blank", amount).at(format!("{across}, {} thick", Amount::size(model.blank.thickness)))
 }
 
-/// Angle between the legs of a bend or the walls of a channel, after release.
 fn opening_angle(stage: &StageSolution) -> Option<Quantity> {
     let [before, after] = stage.released().filter(|_| stage.model.geometry == Geometry::PlaneStrain)?;
     let angle = |frame| (OPENING_ANGLE.of)(&Shape::of(frame)).map(Amount::angle);

@@ -145,11 +145,8 @@ fn details(model: &Model) -> Vec<Line> {
     lines.into_iter().flatten().collect()
 }
 
-/// Lines of the full text alone.
 const DETAILS: [&str; 6] = ["volume", "theory", "material source", "friction source", "elements", "compare"];
-/// Lines that stand in the row of the line before if they fit.
 const APPENDED: [&str; 5] = ["thickness", "clearance", "draw ratio", "holder pressure", "least pressure"];
-/// Rows of the brief text, and columns of its texts.
 const ROWS: usize = 24;
 const COLUMNS: usize = 60;
 
@@ -170,7 +167,6 @@ impl Check {
         rows
     }
 
-    /// Notes: all, or the beginning of as many as there is room for.
     fn notes(&self, is_full: bool, rows: usize) -> Vec<String> {
         let headings = if self.warnings.is_empty() { 6 } else { 8 };
         let room = ROWS.saturating_sub(rows + headings + 2 * self.warnings.len()).max(1);

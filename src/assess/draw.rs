@@ -4,6 +4,7 @@ use super::estimate::{draw_ratio, has_land, held_area, siebel_pressure};
 use super::{holder::if_open, tear::is_upright, *};
 use crate::case::Finished;
 use crate::measure::{part_height, wall_at};
+use crate::model::Blank;
 use crate::rules::{AUSTENITIC, Metal, ROUNDED_RATIO};
 
 /// Advised pressure over the holder's \[–\]. Above 2 even a factor of 0.002, the least that is quoted for the rule, asks for
@@ -34,27 +35,40 @@ fn single(run: &Run) -> Option<Finding> {
     Some(judged.advice(if draws { "" } else { "a first draw to a larger diameter" }))
 }
 
+/// Radii of the blank and of the punches that draw it, each smaller than the one before \[mm\]; an earlier run's come first.
+pub(crate) fn draws<'a>(models: impl Iterator<Item = &'a Model>) -> Vec<f64> {
+    let mut radii: Vec<f64> = Vec::new();
+    for model in models.filter(|model| model.geometry == Geometry::Axisymmetric) {
+        let Blank { preform, meridian, length, .. } = &model.blank;
+        match preform {
+            _ if !radii.is_empty() => {}
+            Some(preform) => radii.clone_from(&preform.draws),
+            None => radii.extend(meridian.is_none().then_some(*length)),
+        }
+        let is_drawn = |radius: &f64| radii.last().is_some_and(|last| radius < last);
+        let punch = model.tool(Role::Punch).map(|punch| extent(punch).1).filter(is_drawn);
+        radii.extend(punch);
+    }
+    radii
+}
+
 /// Ratio of the steepest redraw, and the draws that the ratio of blank to last punch takes; of a single draw its own.
 pub(super) fn redraw(run: &Run) -> Option<Finding> {
-    let radius = |stage: &StageSolution| Some(extent(stage.model.tool(Role::Punch)?).1);
-    let is_round = |stage: &&StageSolution| stage.model.geometry == Geometry::Axisymmetric;
-    let ratio_of = |i: usize, stage: &StageSolution| {
-        let ratio = radius(&run.stages[i.checked_sub(1)?])? / radius(stage)?;
-        (is_round(&stage) && ratio > 1.0).then_some((ratio, ()))
-    };
-    let Some((i, ratio, ())) = run.peak(ratio_of) else { return single(run) };
-    let draws = 1 + run.stages.iter().enumerate().filter(|(i, stage)| ratio_of(*i, stage).is_some()).count();
-    let first = &run.stages[0].model;
-    let (metal, total) = (Metal::of(&first.material), first.blank.length / run.stages.iter().rev().find_map(radius)?);
-    let (needed, [most, limit]) = (metal.draws(total), metal.ratios);
-    let begin = radius(&run.stages[0]).map_or(0.0, |punch| first.blank.length / punch);
+    let radii = draws(run.stages.iter().map(|stage| &stage.model));
+    let [blank, first, .., last] = radii[..] else { return single(run) };
+    let steeper = |a: &&[f64], b: &&[f64]| (a[0] / a[1]).total_cmp(&(b[0] / b[1]));
+    let steepest = radii[1..].windows(2).max_by(steeper)?;
+    let (metal, total, draws) = (Metal::of(&run.case.model().material), blank / last, radii.len() - 1);
+    let (needed, [most, limit], begin) = (metal.draws(total), metal.ratios, blank / first);
     let (is_wide, is_deep) = (begin > most + ROUNDED_RATIO, needed > draws);
     let deep = is_deep.then(|| format!(", which takes {needed} draws of {}, not {draws}", metal.name));
     let wide = is_wide.then(|| format!("; {begin:.2} in the first draw, above {most}"));
     let (deep, wide) = (deep.unwrap_or_default(), wide.unwrap_or_default());
-    let text = format!("{{}} from punch to punch; {total:.2} in all{deep}{wide}");
+    let [from, to] = [0, 1].map(|i| Amount::drawn(2.0 * steepest[i]));
+    let text = format!("{{}} from Ø {from} to Ø {to}; {total:.2} in all{deep}{wide}");
+    let ratio = steepest[0] / steepest[1];
     let light = if ratio <= limit + ROUNDED_RATIO && !is_deep && !is_wide { Light::Green } else { Light::Amber };
-    let judged = Finding::judged("redraw_ratio", "Redraw ratio", run.of_stage(text, i)).number(Amount::ratio(ratio));
+    let judged = Finding::judged("redraw_ratio", "Redraw ratio", text).number(Amount::ratio(ratio));
     Some(judged.at_most(limit, None).light(light).source(RATIOS))
 }
 
@@ -97,7 +111,7 @@ pub(super) fn wrinkling(run: &Run) -> Option<Finding> {
 /// here says whether.
 pub(super) fn wall_wrinkles(run: &Run) -> Option<Finding> {
     let first = run.stages.first()?;
-    let is_flat = first.model.blank.meridian.is_none();
+    let (is_redrawn, is_flat) = (first.model.blank.preform.is_some(), first.model.blank.meridian.is_none());
     if is_flat {
         draw_ratio(&first.model)?;
     }
@@ -106,11 +120,14 @@ pub(super) fn wall_wrinkles(run: &Run) -> Option<Finding> {
     let has = |model: &Model, role: Role| model.release.is_none() && model.tool(role).is_some();
     // A wall in an ironing ring lies on the punch.
     let is_free = |model: &Model| has(model, Role::Punch) && !has(model, Role::Holder) && !has_land(model);
-    let text = match run.stages.iter().skip(1).position(|stage| is_free(&stage.model)) {
-        _ if !is_flat => "a wall that is pressed along or around may buckle out of its circle".into(),
-        _ if !is_upright(first).unwrap_or(false) => "part of the wall hangs free between punch and die".into(),
+    let mut redraws = run.stages.iter().enumerate().skip(usize::from(!is_redrawn));
+    let text = match redraws.find(|(_, stage)| is_free(&stage.model)) {
+        _ if !is_flat && !is_redrawn => "a wall that is pressed along or around may buckle out of its circle".into(),
+        _ if !is_redrawn && !is_upright(first).unwrap_or(false) => {
+            "part of the wall hangs free between punch and die".into()
+        }
         _ if is_domed => "the ring round the dome hangs free until the punch has come to it".into(),
-        Some(i) => run.of_stage("no sleeve holds the wall that is redrawn".into(), i + 1),
+        Some((i, _)) => run.of_stage("no sleeve holds the wall that is redrawn".into(), i),
         None => return None,
     };
     let judged = Finding::judged("wall_wrinkles", "Wall wrinkles", text).light(Light::Grey);

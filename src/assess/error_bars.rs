@@ -2,7 +2,6 @@
 
 use super::{tear::REMEDY, *};
 
-/// Row of the verdict on the end of the run.
 const RUN: &str = "stop";
 /// Contributions in text: the largest, each at least this share of the bar \[–\].
 const MOST: usize = 3;
@@ -174,7 +173,6 @@ impl ErrorBars {
         findings
     }
 
-    /// Refinement that a spring-back wants whose bar is wider than its tolerance; else empty.
     fn refinement(&self, finding: &Finding) -> String {
         let tolerance = finding.limits().and_then(|limits| limits.red).filter(|_| finding.key == "springback");
         let half = self.number(Origin::Verdict, finding.key).and_then(Number::half);
@@ -197,7 +195,6 @@ impl ErrorBars {
         moved.map(|(after, _)| format!("{}: {}", after.label, after.statement())).collect()
     }
 
-    /// Clause on a row of the verdict whose bar reaches a worse light.
     fn clause(&self, finding: &Finding) -> Option<String> {
         if finding.kind != Kind::Judgement || finding.light == Light::Grey {
             return None;

@@ -53,6 +53,10 @@ pub fn holder_lift(stage: &StageSolution) -> Option<f64> {
 pub(super) fn judge(run: &Run) -> Option<Finding> {
     let first = run.stages.first()?;
     let (model, thickness) = (&first.model, first.model.blank.thickness);
+    // As in a later stage.
+    if model.blank.preform.is_some() {
+        return None;
+    }
     let lift = holder_lift(first)?;
     let judged = |text: String| Finding::judged("holder", "Holder", text);
     if let Some(open) = if_open(first, judged("not judged: it stands open by {}".into())) {

@@ -42,6 +42,14 @@ pub(super) fn thickness(case: &Case) -> Option<Finding> {
     })
 }
 
+pub(super) fn earlier(model: &Model) -> Option<Finding> {
+    let (sheet, own) = (model.blank.preform.as_ref()?, model.material.describe());
+    let text = format!("the sheet of {} is of {}; here it is of {own}", sheet.folder, sheet.material);
+    let warning = Finding::warning("earlier_material", "Material", text).limit("that of the earlier run").source(OWN);
+    let warning = warning.advice("write the same [material] in both cases");
+    (!sheet.material.is_empty() && sheet.material != own).then_some(warning)
+}
+
 /// Whether the sheet is weaker than any; hot sheet, whose stress depends on the rate, may be.
 pub(super) fn is_weak(model: &Model) -> bool {
     tensile_strength(&model.material) < STRENGTHS[0] && model.material.rate.is_none()

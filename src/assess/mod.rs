@@ -27,6 +27,7 @@ mod tear;
 mod tools;
 
 pub use answer::{Answer, FailureMode, largest_force};
+pub(crate) use draw::draws;
 pub use finding::{Finding, Kind, Light, When, by_advice, first_clause, headline, judgements, sentences, unchecked};
 pub use forming_limit::{CAREFUL, Used, used as forming_limit_used};
 pub use holder::holder_lift;
@@ -142,7 +143,6 @@ struct Run<'a> {
 }
 
 impl<'a> Run<'a> {
-    /// Text with the number of its stage, counted from 0, if there are several.
     fn of_stage(&self, text: String, i: usize) -> String {
         if self.stages.len() > 1 { format!("{text}, stage {}", i + 1) } else { text }
     }
@@ -164,7 +164,6 @@ impl<'a> Run<'a> {
     }
 }
 
-/// Stages that form the sheet, with their numbers.
 fn formed(stages: &[StageSolution]) -> impl Iterator<Item = (usize, &StageSolution)> {
     stages.iter().enumerate().filter(|(_, stage)| stage.model.release.is_none())
 }

@@ -76,7 +76,6 @@ pub fn judge(solution: &Solution, others: &[(Neighbour, Solution)], findings: &m
     }
 }
 
-/// Whether another run's verdict is worse somewhere, or no longer torn, and its lines that differ.
 fn changed(solution: &Solution, findings: &[Finding], other: &Solution) -> (bool, String) {
     let theirs = after(&other.case, &other.stages);
     let tears = |solution: &Solution, findings: &[Finding]| {

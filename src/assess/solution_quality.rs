@@ -64,7 +64,6 @@ const CHECKS: [Check; 5] = [
 /// Strain of all steps below which a stage forms nothing \[–\]: shares of its work are meaningless.
 const FORMED: f64 = 2e-3;
 
-/// Last step of a stage that forms the sheet.
 fn formed(stage: &StageSolution) -> Option<&StepRecord> {
     let strain: f64 = stage.steps.iter().map(|step| step.strain_increment).sum();
     stage.steps.last().filter(|_| strain > FORMED)

@@ -48,7 +48,13 @@ fn advice(last: &StageSolution) -> &'static str {
     }
 }
 
-/// Stretches that other settings than the case's have solved.
+pub(super) fn earlier(model: &Model) -> Option<Finding> {
+    let sheet = model.blank.preform.as_ref().filter(|sheet| !sheet.doubt.is_empty())?;
+    let text = format!("the earlier run {} {}: what comes after it is doubtful", sheet.folder, sheet.doubt);
+    let warning = Finding::warning("earlier_run", "Earlier run", text).limit("complete, no red line");
+    Some(warning.source("its summary.json").advice("mend that run first"))
+}
+
 pub(super) fn remedied(stage: &StageSolution) -> Option<Finding> {
     let [first, last] = [stage.remedied.first()?, stage.remedied.last()?];
     let settings = stage.remedied.iter().filter_map(|(by, _)| by.setting(&stage.model.settings));

@@ -193,7 +193,6 @@ pub(super) fn wrong_key(error: &Error, source: &Source) -> CaseError {
     source.error_at(span, what, if path.is_empty() { "here".into() } else { path }, help)
 }
 
-/// Key at the end of a path, with the index behind it if it is an entry of an array.
 fn last_name(path: &str) -> &str {
     let key = path.rmatch_indices('.').find(|(at, _)| !path[at + 1..].split('.').all(is_index));
     if path.is_empty() { "case" } else { key.map_or(path, |(at, _)| &path[at + 1..]) }

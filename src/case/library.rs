@@ -74,7 +74,6 @@ impl Description {
         self.material.source.as_deref().unwrap_or_default()
     }
 
-    /// Material of the elasto-viscoplastic mode, where it is another one.
     fn elastoplastic(&self) -> Option<file::Material> {
         let Shifting { kinematic, hardening } = self.elastoplastic.clone()?;
         let mode = Some(Mode::ElastoViscoplastic);

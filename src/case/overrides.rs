@@ -4,7 +4,6 @@ use super::{Case, CaseError, Result, library, source::alternatives};
 use crate::units::did_you_mean;
 use toml_edit::{DocumentMut, Item, Table, Value};
 
-/// The table that may be replaced as a whole, by the name of a sheet.
 const MATERIAL: &str = "material";
 
 /// The text with every override applied in order; text that is not TOML is returned as it is, to be reported later.

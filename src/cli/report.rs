@@ -50,7 +50,6 @@ pub fn report(args: &Args) -> Result<Code> {
 }
 
 impl Args {
-    /// Path of the page; refuses a file that is no report.
     fn page(&self, case: &Case) -> Result<PathBuf> {
         let default = || place::folder(Path::new("out"), case).map(|folder| folder.join("report.html"));
         let path = self.output.clone().map_or_else(default, Ok)?;

@@ -42,7 +42,6 @@ pub fn run(args: &Args) -> Result<Code> {
 }
 
 impl Args {
-    /// Folder of a case's results, once all places to write to are known to be free.
     fn prepare(&self, case: &Case) -> Result<(PathBuf, ResultFolder)> {
         self.pictures.pictures()?;
         let dir = match &self.out {

@@ -30,7 +30,6 @@ const COLORS: [(u8, &str); 5] = [(1, "#d00000"), (5, "#0000d0"), (3, "#009000"),
 /// Reach of endless walls beyond the sheet, over its size, and of the axis beyond the drawing, over its height \[–\].
 const MARGIN: f64 = 0.2;
 const BEYOND: f64 = 0.05;
-/// Number of a stage's layers over its place in the case.
 const STEP: usize = 10;
 
 /// Format of a drawing.

@@ -95,7 +95,6 @@ impl Profile {
         [(first.first(), first.tangent(false)), (last.last(), last.tangent(true))]
     }
 
-    /// Half arc around a tip on the axis, at the first or the last point.
     fn corner_on_axis(&self, by: f64, at_first: bool) -> Option<Piece> {
         let (tip, tangent) = self.end_tangents()[usize::from(!at_first)];
         let turn = turn_on_axis(tangent);

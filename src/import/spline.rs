@@ -10,7 +10,6 @@ use nalgebra::Vector3;
 const DEEPEST: usize = 12;
 /// Largest turn of the ends of a biarc from their chord \[rad\].
 const TURN: f64 = 0.5;
-/// Points at which a part is compared with its arcs.
 const POINTS: usize = 16;
 /// Share of the tolerance at those points \[–\]; between them the distance may rise.
 const BETWEEN: f64 = 0.9;

@@ -148,7 +148,6 @@ fn bands_of_nodes(stage: &StageSolution, last: &Frame) -> Option<Vec<Band>> {
     formed.then(|| node_bands(stage.model.geometry, frame, &contacts))
 }
 
-/// Tool that each node lies against, the punch first.
 fn contacts<'a>(model: &'a Model, frame: &Frame) -> Vec<Option<NodeContact<'a>>> {
     let of_node = |node: &NodeRecord| {
         Role::ALL.into_iter().find_map(|role| {

@@ -59,6 +59,14 @@ pub struct Zone {
 /// Sheet that an earlier run has formed, over the distance along it \[mm\].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Preform {
+    /// Folder of that run.
+    pub folder: String,
+    /// Description of its material; empty where its summary is not there, as the next two.
+    pub material: String,
+    /// Reason why its sheet is not sound.
+    pub doubt: String,
+    /// Radii of its blank and of the punches that drew it \[mm\].
+    pub draws: Vec<f64>,
     /// Thickness \[mm\].
     pub thickness: PiecewiseLinear,
     /// Logarithmic mid-surface strains, meridional and hoop, and equivalent plastic strain \[–\].

@@ -16,7 +16,6 @@ pub struct Dimension {
     pub at: Point,
 }
 
-/// Space around the section over the blank's length.
 const AROUND: f64 = 0.05;
 
 /// Sheet and tools before the first step of a stage with dimensions; `start` is the sheet that a later stage begins with.

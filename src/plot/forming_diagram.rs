@@ -5,7 +5,6 @@ use crate::assess::CAREFUL;
 use crate::forming_limit::{Assessment, Curve};
 use crate::table::worded;
 
-/// Points of a drawn path, and number of paths beside that of the least margin.
 const PATH_POINTS: usize = 60;
 const PATHS: usize = 24;
 const HEIGHT: f64 = 450.0;

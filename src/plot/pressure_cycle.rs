@@ -4,7 +4,6 @@ use super::*;
 
 /// Least length of a cycle that is drawn in minutes \[s\].
 const LONG: f64 = 600.0;
-/// Least span of an axis over its largest value.
 const LEAST: f64 = 0.02;
 pub(crate) const PRESSURE: Field<StepRecord> = Field::new("pressure", "Pressure", Unit::MPa, |s| s.pressure.abs());
 pub(crate) const STRAIN_RATE: Field<StepRecord> =

@@ -9,9 +9,7 @@ use std::ops::Range;
 /// Largest angle of a chord of an arc \[rad\], and its largest distance from the arc over the picture's width.
 const CHORD: f64 = 0.03;
 pub(super) const SAGITTA: f64 = 1e-4;
-/// Chords of a sheet that is not flat.
 const OUTLINED: usize = 200;
-/// Surroundings of the sheet in a picture, over the section's width.
 const AROUND: f64 = 0.06;
 /// Outline of a tool far from the sheet \[mm\].
 const FAR: f64 = 1e3;

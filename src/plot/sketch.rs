@@ -3,7 +3,6 @@
 use super::sections::{SAGITTA, body, panel};
 use super::*;
 
-/// Surroundings of the tools over their width.
 const AROUND: f64 = 0.1;
 
 /// Imported tool.
@@ -40,7 +39,6 @@ pub fn sketch(title: String, geometry: Geometry, operations: &[Vec<SketchedTool>
     Chart::new(title, operations.iter().map(operation).collect(), notes)
 }
 
-/// Vertices of a profile without the far ends of its walls.
 fn vertices(profile: &Profile) -> impl Iterator<Item = Point> {
     let pieces = profile.pieces();
     let is_wall = |piece: &&Piece| matches!(piece, Piece::Segment(_)) && piece.tangent(false).x.abs() < 1e-3;

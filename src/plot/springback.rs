@@ -3,7 +3,6 @@
 use super::*;
 use crate::measure::{self, FLANGE_ANGLE, Leg, Shape, WALL_ANGLE};
 
-/// Extension of the fitted lines at either end, over their length.
 const LONGER: f64 = 0.25;
 const WALL: Style = Style::Line { color: BLACK, width: 1.4, dash: &[7.0, 3.5] };
 const FLANGE: Style = Style::Line { color: BLACK, width: 1.4, dash: &[2.0, 3.0] };

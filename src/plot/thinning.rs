@@ -13,7 +13,6 @@ const STEPS: [f64; 6] = [0.5, 1.0, 2.0, 5.0, 10.0, 20.0];
 const MOST: i32 = 40;
 /// Least number of colours, so that a level sheet does not show its round-off.
 const LEAST: i32 = 4;
-/// Round-off over a colour's width.
 const SLACK: f64 = 0.02;
 const OUTLINE: Style = Style::Line { color: (70, 70, 70), width: 0.7, dash: &[] };
 /// Least thickness of a drawn sheet \[px\].

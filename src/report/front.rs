@@ -5,7 +5,6 @@ use crate::plot::chart::{Series, Style, bounds};
 use crate::plot::load_travel;
 use crate::solver::solution::StepRecord;
 
-/// Most issues and warnings that leave room for the pictures.
 const ISSUES: usize = 4;
 const WARNINGS: usize = 2;
 /// Pictures of the part: the first that there is.

@@ -116,7 +116,6 @@ fn start(report: &Report, i: usize) -> Markup {
     figure_in_column(chart, &format!("{}section at the start: {sheet} blue, tools grey", report.stage(i)))
 }
 
-/// A stage with the sheet that it begins with, the flat blank left out, and its dimensions.
 fn begun<'a>(report: &'a Report, i: usize) -> (&'a Model, Option<&'a Frame>, Vec<Dimension>) {
     let stage = &report.solution.stages[i];
     let start = stage.start.as_ref().filter(|_| i > 0);

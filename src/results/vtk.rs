@@ -15,7 +15,6 @@ use crate::table::{Column, Unit};
 use std::fmt::{Display, Write};
 
 const QUADRILATERAL: u8 = 9;
-/// Step between the pictures of an animation that are written.
 const EVERY: usize = 2;
 pub(super) const COLLECTION: &str = "section.pvd";
 

@@ -10,7 +10,6 @@ use rayon::prelude::*;
 const RUNS: usize = 12;
 const WORK: usize = 30_000_000;
 
-/// Words, keys that are set together, new value of the old one.
 type Change = (&'static str, &'static [&'static str], fn(f64) -> f64);
 
 /// Changes in the order of trial: steps of a shop's try-out, good lubrication (0.05), a dry punch (0.15); declared.

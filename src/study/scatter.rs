@@ -11,7 +11,6 @@ const RUNS: u64 = 1024;
 /// Points of one sequence; further points are of another scrambling.
 const LONGEST: u64 = 1 << 16;
 const MOST: u64 = 1 << 32;
-/// Dimensions of the sequence.
 const VARIABLES: usize = 128;
 /// Half the resolution of the sequence: no coordinate is 0 or 1.
 const HALF: f64 = 0.5 / (1u32 << 24) as f64;

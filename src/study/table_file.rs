@@ -14,7 +14,6 @@ use std::{str::FromStr, thread};
 
 /// Largest table \[bytes\]: a million rows of 2 kB.
 const LARGEST: usize = 2_000_000_000;
-/// Time between two tries of a lock.
 const AGAIN: Duration = Duration::from_millis(100);
 const ELSEWHERE: &str = "choose another place with --out";
 

@@ -40,7 +40,26 @@ fn an_earlier_run_goes_on_where_it_ended() {
     let sheet = "[blank]\nearlier_run = \"out/whole/1-draw\"\nthickness = \"1 mm\"\n[stop]\ndrawn_through = true\n";
     let text = [&first[..blank], sheet, &first[material..tools], &second.replace("move =", "travel =")].concat();
     let name = dir.path().join("second.toml");
-    let again = case::parse(&text, &name.to_string_lossy(), &[]).expect("a case").solve(&mut ()).stages.remove(0);
+    let case = |text: &str| case::parse(text, &name.to_string_lossy(), &[]);
+    let again = case(&text).expect("a case").solve(&mut ());
+    // The verdict goes on too: the ratio of the second draw by hand, and no word on a flat blank's holder.
+    let found = assess::after(&again.case, &again.stages);
+    assert_relative_eq!(row(&found, "redraw_ratio").value().unwrap(), 37.45 / 30.0, max_relative = 1e-3);
+    assert!(found.iter().all(|row| !["holder", "wall_wrinkles"].contains(&row.key)), "{found:?}");
+    let again = again.stages.into_iter().next().expect("a stage");
+    let doubts = |text: &str| assess::size_doubts(&case(text).expect("a case"));
+    let summary = dir.path().join("out/whole/1-draw/summary.json");
+    let written = std::fs::read_to_string(&summary).expect("a summary");
+    std::fs::write(summary, written.replace("\"complete\": true", "\"complete\": false")).expect("written");
+    let harder = doubts(&text.replace("520 MPa", "600 MPa")).join("; ");
+    assert!(harder.contains("ended early") && harder.contains("= 600 (0.005"), "{harder}");
+    assert_eq!(doubts(&text).len(), 1);
+    for (from, to, says) in
+        [("/1-draw\"", "/1-draw/profile.csv\"", "is a file"), ("axisymmetric", "plane_strain", "is not plane")]
+    {
+        let error = case(&text.replace(from, to)).expect_err("refused").to_string();
+        assert!(error.contains(says), "{error}");
+    }
     let wanted = &whole.solve(&mut ()).stages[1];
     assert_relative_eq!(peak(&again), peak(wanted), max_relative = 0.01);
     let values = |step: &StepRecord| [step.travel, step.thinnest];

@@ -8,7 +8,6 @@ use crate::case::parse;
 use crate::part::Part;
 use rules::Metal;
 
-/// Most runs that correct the blank.
 const RUNS: usize = 8;
 /// Error of height or edge that is met, and below which runs go on with the case's own mesh \[mm\].
 const MET: f64 = 0.1;
@@ -162,7 +161,6 @@ impl<'a> Cup<'a> {
         self.tried(kept, true)
     }
 
-    /// Radii of the punches in equal shares of what each draw takes.
     fn radii(&self, blank: f64, draws: usize) -> Vec<f64> {
         let Part { radius: last, step, .. } = self.part;
         let early = draws - 1 - usize::from(step.is_some());
@@ -256,7 +254,6 @@ impl<'a> Cup<'a> {
         plan.radii.iter().enumerate().map(tools).collect()
     }
 
-    /// Values of a plan, with its ironing rings or without.
     fn values(&self, plan: &Plan, is_ironed: bool) -> Result<Values, CaseError> {
         let (Self { inputs, sheet, .. }, Part { radius, height, flange, recess, .. }) = (self, self.part);
         let (blank, tools) = (plan.blank.clone(), self.tools(plan));

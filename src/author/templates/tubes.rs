@@ -16,7 +16,6 @@ fn tube(inputs: &Inputs, sheet: &Sheet, share: f64, corner: f64, title: &str) ->
     Ok((outside, sizes))
 }
 
-/// Values with a punch and its travel.
 fn formed(inputs: &Inputs, mut sizes: Values, punch: String, travel: &Picked) -> Result<Values, CaseError> {
     let (length, way) = (inputs.value("length"), plain(rounded_up(travel.value, 3)));
     let what = || format!("the tool would go {way} along a tube of {}", plain(length));

@@ -6,7 +6,6 @@ use super::tools::ToolContext;
 use super::*;
 use crate::model::Press;
 
-/// Most further tools, and letters of a name.
 const MOST: usize = 50;
 const LONGEST: usize = 30;
 

@@ -198,7 +198,6 @@ pub enum Origin {
 }
 
 impl Drawn {
-    /// Chain as it was written: for a file the chords between its points.
     fn written(&self) -> &Profile {
         if let Origin::Points(points) = &self.origin { &points.chords } else { &self.profile }
     }

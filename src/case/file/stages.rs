@@ -8,7 +8,6 @@ use crate::model::{Beginning, Press, ReleaseStiffness};
 use crate::units::Speed;
 
 const FIRST: &str = "forming";
-/// Most letters of a stage's name.
 const LONGEST: usize = 40;
 /// Share of the travel over which a holder's force goes over to that of the next stage \[–\].
 const RAMP: f64 = 0.2;
@@ -305,7 +304,6 @@ impl StageContext<'_> {
         Ok(())
     }
 
-    /// Sets release and mode; the flow law's sheet springs back elastically.
     fn release(&self, model: &mut Model) -> Result<()> {
         model.release = self.written.release();
         let released = model.release.is_some();

@@ -6,9 +6,7 @@ use super::*;
 use crate::plot::chart::AnnotationKind;
 use plotters::style::text_anchor::HPos;
 
-/// Distance between a flag's line and its text, and around texts.
 const GAP: f64 = 5.0;
-/// Space above and below all flags.
 const AROUND: f64 = 6.0;
 /// Share of the panel's width at which a flag's text is broken.
 const WIDEST: f64 = 0.95;
@@ -16,7 +14,6 @@ const WIDEST: f64 = 0.95;
 const DOT: f64 = 0.23;
 const RIM: f64 = 0.36;
 
-/// Text above all curves with a vertical line to its point.
 struct Flag {
     /// Distance of the line from the panel's left edge \[px\], and the point's y \[unit of the axis\].
     at: (f64, f64),

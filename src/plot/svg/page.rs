@@ -5,7 +5,6 @@ use super::shapes::sample;
 use super::text::{NOTE, SPACING, TICK, TITLE, wrapped};
 use super::*;
 
-/// Space around every picture, and below every panel.
 const MARGIN: f64 = 14.0;
 const GAP: f64 = 10.0;
 /// Width of a legend sample, the space behind it, and the space behind its label.

@@ -11,7 +11,6 @@ const X_TICKS: usize = 8;
 const NARROW_TICK: f64 = 70.0;
 const TICK_MARK: f64 = 6.0;
 pub(super) const X_LABELS_HEIGHT: f64 = TICK_MARK + SPACING * (TICK + LABEL) + 4.0;
-/// Thickness of axes and of the grid.
 const AXIS: f64 = 1.2;
 const GRID: f64 = 0.8;
 const GRID_COLOR: Color = (215, 215, 215);

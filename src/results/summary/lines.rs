@@ -57,11 +57,14 @@ impl Lines<'_> {
     }
 
     fn load(&mut self) {
-        let Self { model, run, last, .. } = *self;
+        let Self { view, model, run, last, .. } = *self;
         self.plain("hardening", "Hardening", model.material.describe());
         let is_full = run.stop.kind == StopKind::FullTravel;
         self.plain("stop", "Ended", if is_full { format!("{} reached", stop_text(run)) } else { run.stop.to_string() });
         self.plain("complete", "", run.stop.is_complete());
+        let models = || view.case.iter().flat_map(|case| &case.stages).map(|stage| &stage.model);
+        let until = models().position(|other| other == model).map_or(0, |own| own + 1);
+        self.plain("draws_mm", "", draws(models().take(until)));
         if model.travel > 0.0 {
             let peak = run.steps.iter().copied().max_by(|a, b| a.punch_force.total_cmp(&b.punch_force));
             let peak = peak.unwrap_or_default();
@@ -246,7 +249,6 @@ impl Lines<'_> {
     }
 }
 
-/// Record of a stage without a step: the sheet at its start, or the blank.
 fn as_begun(run: &StageSolution) -> StepRecord {
     let blank = &run.model.blank;
     let (elements, nodes) = run.start.as_ref().map_or((&[][..], &[][..]), |start| (&start.elements, &start.nodes));

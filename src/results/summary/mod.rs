@@ -3,7 +3,7 @@
 mod lines;
 
 use super::{StageView, stages, tables};
-use crate::assess::{Kind, holder_lift, largest, sentences};
+use crate::assess::{Kind, draws, holder_lift, largest, sentences};
 use crate::case::{Solution, files::sha256};
 use crate::measure::{Change, Event, Shape, events, moment_error, part_height, thickest};
 use crate::model::{Extent, Grading, Mode, Model, Role, Theory};

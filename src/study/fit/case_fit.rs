@@ -42,7 +42,6 @@ const LEAST_CHANGE: f64 = 1e-6;
 /// Half of a central difference over the range: wide enough for the noise of single increments \[–\].
 const DIFFERENCE: f64 = 0.01;
 
-/// Points with the values of a run, and the run's own curve.
 type RunCurve = (Vec<Point>, Vec<(f64, f64)>);
 
 impl CaseFitRequest {
