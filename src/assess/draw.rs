@@ -36,7 +36,7 @@ fn single(run: &Run) -> Option<Finding> {
 }
 
 /// Radii of the blank and of the punches that draw it, each smaller than the one before \[mm\]; an earlier run's come first.
-pub(crate) fn draws<'a>(models: impl Iterator<Item = &'a Model>) -> Vec<f64> {
+pub fn draws<'a>(models: impl Iterator<Item = &'a Model>) -> Vec<f64> {
     let mut radii: Vec<f64> = Vec::new();
     for model in models.filter(|model| model.geometry == Geometry::Axisymmetric) {
         let Blank { preform, meridian, length, .. } = &model.blank;

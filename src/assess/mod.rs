@@ -27,7 +27,7 @@ mod tear;
 mod tools;
 
 pub use answer::{Answer, FailureMode, largest_force};
-pub(crate) use draw::draws;
+pub use draw::draws;
 pub use finding::{Finding, Kind, Light, When, by_advice, first_clause, headline, judgements, sentences, unchecked};
 pub use forming_limit::{CAREFUL, Used, used as forming_limit_used};
 pub use holder::holder_lift;
