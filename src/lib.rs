@@ -160,5 +160,5 @@ pub use solver::{Observer, run, solve};
 pub use table::Table;
 
 #[cfg(test)]
-#[path = "equations/tests.rs"]
+#[path = "../tests/inside/equations.rs"]
 mod equations;

@@ -8,6 +8,7 @@
 
 use crate::material::{Material, flow::ROOM_TEMPERATURE};
 use std::f64::consts::{FRAC_PI_2, PI};
+use std::ops::RangeInclusive;
 
 /// Radius over thickness below which shells are no longer thin \[–\]: a declared rule of thumb.
 pub const THIN: f64 = 5.0;
@@ -26,6 +27,10 @@ const RADIUS: f64 = 6.0;
 pub const SIZED: f64 = 1.45;
 /// Distance from its bend at which a flange's rim is held down, over the thickness \[–\]: a declared rule of thumb.
 const HELD_OUT: f64 = 8.0;
+/// Widths of blanks and tools \[mm\].
+pub const WIDTHS: RangeInclusive<f64> = 10.0..=1000.0;
+/// Width of the widest blank that a template writes \[mm\].
+pub const WIDEST: f64 = 3000.0;
 /// Elements per 90° of the sharpest corner of a mesh of equal elements \[–\].
 const PER_QUARTER: f64 = 10.0;
 /// Most draws that are planned: the rule of [`Metal::total`] has an example of four.

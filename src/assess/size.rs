@@ -4,15 +4,11 @@
 use super::*;
 use crate::assess::estimate::draw_ratio;
 use crate::model::tool_sizes::throat;
-use crate::rules::LIMITING_RATIO;
+use crate::rules::{self, LIMITING_RATIO};
 use std::ops::RangeInclusive;
 
-/// Widths of blanks and tools \[mm\].
-pub const WIDTHS: RangeInclusive<f64> = 10.0..=1000.0;
 /// Thicknesses of sheets \[mm\].
 pub const THICKNESSES: RangeInclusive<f64> = 0.2..=6.0;
-/// Width of the widest blank that a template writes \[mm\].
-pub const WIDEST: f64 = 3000.0;
 /// Width of a blank over its thickness \[–\].
 const SLENDER: f64 = 3000.0;
 /// Draw ratio from which on the blank's radius may be its diameter \[–\]: half of it is still drawn, and the whole is beyond
@@ -39,7 +35,7 @@ pub fn across(model: &Model) -> f64 {
 
 fn width(model: &Model) -> Option<Finding> {
     let warning = Finding::warning("width", "Width", "the blank is {} wide, which is odd for a stamping");
-    within(warning, across(model), WIDTHS).advice("is the unit of its size right?").if_beyond()
+    within(warning, across(model), rules::WIDTHS).advice("is the unit of its size right?").if_beyond()
 }
 
 fn within(warning: Finding, size: f64, range: RangeInclusive<f64>) -> Finding {

@@ -2,8 +2,8 @@
 
 use super::options::{DrawingUnit, Options};
 use super::{ImportError, Result, dxf::Drawing};
-use crate::assess::size::{WIDEST, WIDTHS};
 use crate::geometry::Point;
+use crate::rules::{WIDEST, WIDTHS};
 use crate::units::{joined, rounded, significant};
 use std::cell::RefCell;
 

@@ -204,3 +204,29 @@ pub fn read(bytes: &[u8], options: &Options) -> Result<Sections> {
     let notes = frame.notes.into_inner();
     Ok(Sections { operations, blank, finished, geometry, depth, is_released, layers: all, others, notes })
 }
+
+/// Reads the one line of a layer, or of the whole drawing, as a profile with z upward: of a tool, or of a sheet as that of a tool
+/// below it. Fails as [`read`], and without a line.
+pub fn line(bytes: &[u8], layer: Option<&str>, role: Role) -> Result<Profile> {
+    let help = "draw one open line of lines, arcs and splines, with its unit in the drawing's header, or name its layer: \
+                { file = \"die.dxf\", layer = \"DIE\" }";
+    only_line(bytes, layer, role).map_err(|ImportError { what, line, .. }| {
+        let line = line.map_or_else(String::new, |line| format!("line {line}: "));
+        ImportError::new(line + &what, help)
+    })
+}
+
+fn only_line(bytes: &[u8], layer: Option<&str>, role: Role) -> Result<Profile> {
+    let drawing = dxf::decode(bytes)?;
+    let drawing = dxf::drawing(&drawing)?;
+    let (frame, tool) = (frame::Frame::new(&drawing, &Options::default())?, ToolId { operation: None, role });
+    let entities = blocks::exploded(&drawing)?;
+    let layers = entities.iter().map(|placed| &placed.source.layer);
+    let layers = layers.filter(|name| layer.is_none_or(|layer| layer.eq_ignore_ascii_case(name)));
+    let strokes = stroke::strokes(&entities, &layers.map(|name| (name.clone(), tool)).collect(), tool, &frame)?;
+    let names: BTreeSet<&str> = entities.iter().map(|placed| placed.source.layer.as_str()).collect();
+    let what =
+        || format!("no line is drawn there; its layers are {}", layers::list(names.into_iter().map(str::to_owned)));
+    ensure(!strokes.is_empty(), || ImportError::new(what(), ""))?;
+    Ok(orient::section(tool, halves::right(strokes, tool, &frame)?, Heading::Up, &frame)?.profile)
+}

@@ -45,8 +45,8 @@ fn every_key_has_a_row_and_every_example_of_one_stands_in_it() {
 }
 
 /// Needs that another one brings about, or that no setting without the other can be written for.
-const IMPLIED: [(&str, &str, &str); 2] =
-    [("SectionTable", "closed_at", "offset_of"), ("SectionTable", "fillet", "file")];
+const IMPLIED: [(&str, &str, &str); 3] =
+    [("SectionTable", "closed_at", "offset_of"), ("SectionTable", "fillet", "file"), ("SectionTable", "layer", "file")];
 
 /// Trust: over the whole schema: each key that is said to need another one is refused without it.
 #[test]

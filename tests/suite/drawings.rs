@@ -449,3 +449,29 @@ fn the_written_case_holds_the_sections_exactly() {
     // What is there stays, unless it is asked to go.
     ends(&stampflow(dir.path(), &["import", "ezdxf_lines_and_arcs.dxf"]), 2, "--force");
 }
+
+/// Trust: what `export` draws of a cup is read back as the tool that it was, and its mid-surface as a sheet from the axis to the rim.
+#[test]
+fn a_case_takes_tools_and_sheet_from_a_drawing() {
+    let dir = crate::common::cli::folder(CUP);
+    ends(&stampflow(dir.path(), &["export", "cases/cup.toml", "-o", "cases/cup.dxf"]), 0, "");
+    let drawn = r#"die = { profile = { file = "cup.dxf", layer = "die" }, friction = 0.08 }"#;
+    let case = CUP.replace(r#"die = { throat = "31.25 mm", shoulder = "6 mm", friction = 0.08 }"#, drawn);
+    let load = |text: &str| {
+        fs::write(dir.path().join("cases/drawn.toml"), text).unwrap();
+        stampflow::case::load(dir.path().join("cases/drawn.toml"), &[])
+    };
+    let die = |case: &Case| case.model().tool(Role::Die).expect("a die").profile.clone();
+    // The die's far end is drawn no further than the picture goes.
+    let corner = |text: &str| die(&load(text).expect("a case")).pieces()[1];
+    assert_bends(&corner(&case), &corner(CUP), Point::zeros(), "cup.dxf");
+    let sheet = |layer: &str| {
+        let profile = format!("profile = {{ file = \"cup.dxf\", layer = \"{layer}\" }}\nedge = \"clamped\"");
+        let case = CUP.replace("radius = \"55 mm\"", &profile);
+        load(&case[..case.find("die =").expect("a die")])
+    };
+    let blank = sheet("MIDLINE").expect("a case").model().blank.clone();
+    assert!(blank.ends()[0] == 0.0 && (50.0..60.0).contains(&blank.length), "{blank:?}");
+    let error = sheet("RIM").expect_err("no such layer").to_string();
+    assert!(error.contains("its layers are AXIS, BLANK, DIE"), "{error}");
+}

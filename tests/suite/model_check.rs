@@ -8,24 +8,7 @@ const COUNTS: [usize; 4] = [0, 1, 2, usize::MAX];
 
 /// A cup drawn by 0.5 mm: everything is there that a check may ask for, and it is solved in a moment.
 fn cup() -> Model {
-    let text = r#"
-        title = "Cup"
-        geometry = "axisymmetric"
-        [blank]
-        radius = "20 mm"
-        thickness = "1 mm"
-        elements = 12
-        layers = 3
-        [material]
-        young = "210 GPa"
-        poisson = 0.3
-        hardening.swift = { k = "520 MPa", n = 0.22, offset = 0.005 }
-        [tools]
-        punch = { flat = { radius = "10 mm", nose = "3 mm" }, friction = 0.08, motion = [["0 s", "0 mm"], ["1 s", "0.2 mm"], ["2 s", "0.5 mm"]] }
-        die = { throat = "11.2 mm", shoulder = "3 mm", friction = 0.08 }
-        holder = { inner_radius = "12 mm", force = "1 kN" }
-    "#;
-    let mut model = parsed(text, &[]).stages.remove(0).model;
+    let mut model = parsed(include_str!("common/small_cup.toml"), &[]).stages.remove(0).model;
     model.settings.max_step = 0.2;
     model.settings.min_step = 1e-3;
     model.settings.first_step = 0.05;

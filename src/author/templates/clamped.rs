@@ -141,7 +141,8 @@ pub(super) fn erichsen(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseErr
     let help = "make --thickness smaller; for a thick sheet stampflow new stretch-dome";
     ensure(sheet.thickness <= THICKEST, what, help)?;
     let mut sizes = sheet.values(false);
-    sizes.elements(SPECIMEN, EDGE, 1);
+    // A third of equal elements, and those around the die's edge, on its arc and one to each side.
+    sizes.elements(SPECIMEN / 3.0 + PI * EDGE, EDGE, 1);
     sizes.set("size", &thickness, "");
     sizes.set("clamp", newtons(inputs.value("clamp")), "");
     Ok(sizes)

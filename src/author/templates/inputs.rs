@@ -93,8 +93,8 @@ impl Inputs {
         })?;
         let number = if choice.key == key { number } else { 0.5 * number };
         // Half of the widest blank; only a part is longer.
-        let what = || format!("--{key} {text} is odd: stampings are up to {} mm wide", size::WIDEST);
-        let fits = choice.value != "LENGTH" || key == "length" || number <= 0.5 * size::WIDEST;
+        let what = || format!("--{key} {text} is odd: stampings are up to {} mm wide", rules::WIDEST);
+        let fits = choice.value != "LENGTH" || key == "length" || number <= 0.5 * rules::WIDEST;
         ensure(fits, what, "is the unit right?")?;
         let before = self.given.insert(choice.key.clone(), (key.to_owned(), text.to_owned(), number));
         before.map_or(Ok(()), |(other, ..)| Err(both_given(&other, key)))

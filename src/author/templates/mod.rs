@@ -123,7 +123,7 @@ impl Template {
             let what = format!("the template {} with {with} makes a case that is refused: {error}{line}", self.name);
             CaseError::bare(what, error.remedy().unwrap_or_default().to_owned())
         })?;
-        let (width, most) = (size::across(case.model()), size::WIDEST);
+        let (width, most) = (size::across(case.model()), rules::WIDEST);
         let what =
             || format!("the blank would be {} wide; stampings are up to {}", plain(significant(width, 3)), plain(most));
         ensure(width <= most, what, &format!("are the units right? given: {with}"))?;

@@ -2,6 +2,7 @@
 
 use super::{counter::Counter, points::Points, *};
 use crate::geometry::{Arc, Fold, with_radius};
+use crate::import;
 use crate::model::tool_sizes::met;
 
 /// Largest move of an arc's centre onto the bisector of its ends \[mm\]: drawings are rounded.
@@ -22,19 +23,22 @@ pub enum Section {
     Steps(Vec<ProfileStep>),
     /// CSV file, looked up from the case file's folder: columns `r_mm,z_mm` (any unit of length; `x_mm` in plane
     /// strain) and optionally `radius_mm`, the fillet radius at the point. Without any fillet, corners of less than 25°
-    /// are rounded off by tangent arcs: the points are taken as chords of a curve.
+    /// are rounded off by tangent arcs: the points are taken as chords of a curve. Or a drawing (DXF) of one line: x
+    /// is the distance from the axis, y is z.
     File(String),
-    /// A file with a fillet, or a tool made from another.
+    /// A file with a fillet or a layer, or a tool made from another.
     Table(SectionTable),
 }
 
-/// `{ file, fillet }`, `{ offset_of, by, shoulder, closed_at }` or `{ mirror_of }`.
+/// `{ file, fillet }`, `{ file, layer }`, `{ offset_of, by, shoulder, closed_at }` or `{ mirror_of }`.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-#[schemars(extend("dependentRequired" = { "fillet": ["file"], "offset_of": ["by"], "by": ["offset_of"], "shoulder": ["offset_of"], "closed_at": ["offset_of", "shoulder"] }))]
+#[schemars(extend("dependentRequired" = { "fillet": ["file"], "layer": ["file"], "offset_of": ["by"], "by": ["offset_of"], "shoulder": ["offset_of"], "closed_at": ["offset_of", "shoulder"] }))]
 pub struct SectionTable {
-    /// CSV file with points.
+    /// CSV file with points, or a drawing.
     file: Option<String>,
+    /// Layer of the drawing that has the line; of all layers when not given.
+    layer: Option<String>,
     /// Fillet radius of all inner points of the file that have none of their own; "0 mm" keeps them sharp.
     fillet: Option<NonNegative<Length>>,
     /// Punch or die whose outline this tool follows, so that the two close on each other: every point of this
@@ -83,7 +87,7 @@ enum Turn {
 }
 
 untagged!(
-    [] Section, "a list of steps, the name of a CSV file such as \"die.csv\", or a table",
+    [] Section, "a list of steps, the name of a file such as \"die.csv\" or \"die.dxf\", or a table",
     text(file) => Ok(Section::File(file.to_owned())),
     list => Section::Steps,
     table => Section::Table
@@ -94,10 +98,10 @@ impl Section {
     pub fn drawn(&self, path: &str, of: (&str, Geometry), source: &Source) -> Result<Profile> {
         match self {
             Self::Steps(list) => steps(list, path, source),
-            Self::File(file) => Ok(points::convert(file, path, None, of, source)?.0),
-            Self::Table(_) => {
-                Err(source.error(path, "a sheet follows no tool", "write steps, or the name of a CSV file"))
+            Self::Table(SectionTable { file: None, .. }) => {
+                Err(source.error(path, "a sheet follows no tool", "write steps, or the name of a file"))
             }
+            _ => Ok(self.read(path, Role::Lower(0), of, source)?.0),
         }
     }
 
@@ -107,24 +111,18 @@ impl Section {
             source.refuse(&path, others, &format!("does not go with `{kind}`"), "drop one of the two")
         };
         let counter = |of| Counter { role, of, path: path.clone(), context };
-        let from_file = |file: &str, key: &str, fillet: Option<f64>| {
-            let (profile, points) =
-                points::convert(file, key, fillet, (context.name(role), context.extent.geometry()), source)?;
-            Ok::<_, CaseError>((profile, Origin::Points(points)))
-        };
         let (profile, origin) = match self {
             Self::Steps(list) => (steps(list, &path, source)?, Origin::Steps),
-            Self::File(file) => from_file(file, &path, None)?,
-            Self::Table(SectionTable { file: Some(file), fillet, .. }) => {
+            Self::File(_) | Self::Table(SectionTable { file: Some(_), .. }) => {
                 alone("file", &["offset_of", "by", "shoulder", "closed_at", "mirror_of"])?;
-                from_file(file, &format!("{path}.file"), fillet.map(Dimensioned::value))?
+                self.read(&path, role, (context.name(role), context.extent.geometry()), source)?
             }
             Self::Table(table @ SectionTable { offset_of: Some(of), .. }) => {
-                alone("offset_of", &["fillet", "mirror_of"])?;
+                alone("offset_of", &["fillet", "layer", "mirror_of"])?;
                 return counter(*of).offset(table);
             }
             Self::Table(SectionTable { mirror_of: Some(of), .. }) => {
-                alone("mirror_of", &["fillet", "by", "shoulder", "closed_at"])?;
+                alone("mirror_of", &["fillet", "layer", "by", "shoulder", "closed_at"])?;
                 return counter(*of).mirror();
             }
             Self::Table(_) => {
@@ -135,6 +133,31 @@ impl Section {
         let drawn = Drawn { profile, path, origin };
         drawn.check_folds(context.name(role), source)?;
         drawn.placed(role, context).map(|(profile, _)| profile)
+    }
+
+    /// Chain of a file, of a tool on this side of the sheet or of the sheet itself.
+    fn read(&self, path: &str, role: Role, of: (&str, Geometry), source: &Source) -> Result<(Profile, Origin)> {
+        let (file, key, layer, fillet) = match self {
+            Self::File(file) => (file, path.to_owned(), None, None),
+            Self::Table(SectionTable { file: Some(file), layer, fillet, .. }) => {
+                (file, format!("{path}.file"), layer.as_deref(), fillet.map(Dimensioned::value))
+            }
+            _ => return Err(source.missing(path, "file")),
+        };
+        let is_drawing = file.to_lowercase().ends_with(".dxf");
+        let fits = if is_drawing { fillet.is_none() } else { layer.is_none() };
+        source.require(fits, path, "a `layer` is of a drawing, a `fillet` of points", "drop it")?;
+        if !is_drawing {
+            let (profile, points) = points::convert(file, &key, fillet, of, source)?;
+            return Ok((profile, Origin::Points(points)));
+        }
+        let refused = |what: &str, help: &str| source.error(&key, format!("the drawing {file}: {what}"), help);
+        let text = source
+            .file(&source.folder.path.join(file), import::LARGEST)
+            .map_err(|error| refused(&error.to_string(), "put it beside the case, as DXF in text form"))?;
+        let profile = import::line(text.as_bytes(), layer, role).map_err(|error| refused(&error.what, &error.help))?;
+        source.note(format!("the {}'s profile is read from {file}: {} lines and arcs", of.0, profile.pieces().len()));
+        Ok((profile, Origin::Tool))
     }
 }
 
@@ -193,7 +216,7 @@ pub enum Origin {
     /// Piece i is step i + 1.
     Steps,
     Points(Points),
-    /// Made from another tool.
+    /// Made from another tool, or drawn.
     Tool,
 }
 

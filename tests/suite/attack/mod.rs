@@ -16,24 +16,10 @@ use stampflow::{case::CaseError, plot::svg};
 use std::{sync::mpsc::channel, time::Instant};
 
 /// A cup without its punch's section, and what is read beside it.
-const CUP: &str = r#"
-title = "Cup"
-geometry = "axisymmetric"
-blank = { radius = "55 mm", thickness = "1 mm", elements = 30 }
-material.hardening.swift = { k = "520 MPa", n = 0.22, offset = 0.005 }
-tools.die = { throat = "31.25 mm", shoulder = "6 mm", friction = 0.08 }
-tools.holder = { inner_radius = "38 mm", force = "10 kN" }
-"#;
+const CUP: &str = include_str!("cup.toml");
 const PUNCH: &str = r#"tools.punch = { flat = { radius = "30 mm", nose = "6 mm" }, friction = 0.08, travel = "5 mm" }"#;
 const DRAWN_PUNCH: &str = r#"tools.punch = { profile = "curve.csv", friction = 0.08, travel = "5 mm" }"#;
-const BAND: &str = r#"
-[[compare]]
-reference = "curve.csv"
-band = ["low_mm", "high_mm"]
-error = "error_mm"
-quantity = "thickness"
-reason = "for the test"
-"#;
+const BAND: &str = include_str!("band.toml");
 /// A case that reads `curve.csv`, and what stands there.
 const BESIDE: [(&[&str], &str); 4] = [
     (&[CUP, DRAWN_PUNCH], "r_mm,z_mm,radius_mm\n0,0,\n30,0,6\n30,-20,\n30.01,-40,\n"),

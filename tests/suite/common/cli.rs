@@ -2,59 +2,18 @@
 
 use crate::common::prelude::*;
 
-pub const CUP: &str = r#"
-title = "Cup"
-geometry = "axisymmetric"
-notes = ["declared: all of it"]
-[blank]
-radius = "55 mm"
-thickness = "1 mm"
-elements = 30
-[material.hardening]
-swift = { k = "520 MPa", n = 0.22, offset = 0.005 }
-[tools]
-punch = { flat = { radius = "30 mm", nose = "6 mm" }, friction = 0.08, travel = "5 mm" }
-die = { throat = "31.25 mm", shoulder = "6 mm", friction = 0.08 }
-holder = { inner_radius = "38 mm", force = "10 kN" }
-"#;
+pub const CUP: &str = include_str!("cup.toml");
 
 /// The case of the documentation of `stampflow::case`: no key of it can be left out.
-pub const MINIMAL: &str = r#"title = "Cup"
-geometry = "axisymmetric"
-[blank]
-radius = "55 mm"
-thickness = "1 mm"
-[material.hardening]
-swift = { k = "520 MPa", n = 0.22, offset = 0.005 }
-[tools]
-punch = { flat = { radius = "30 mm", nose = "6 mm" }, friction = 0.08, travel = "25 mm" }
-die = { throat = "31.25 mm", shoulder = "6 mm", friction = 0.08 }
-holder = { inner_radius = "32 mm", force = "10 kN" }
-"#;
+pub const MINIMAL: &str = include_str!("minimal.toml");
 
 /// Its law.
 pub const LAW: &str = "[material.hardening]\nswift = { k = \"520 MPa\", n = 0.22, offset = 0.005 }\n";
 
-pub const STAGES: &str = r#"
-[stage]
-name = "draw"
-[[stages]]
-name = "retract"
-punch.move = "-6 mm"
-holder.force = "20 N"
-frames = 2
-"#;
+pub const STAGES: &str = include_str!("stages.toml");
 
 /// Compares the punch's force of a case with `curve.csv`.
-pub const COMPARE: &str = r#"
-[[compare]]
-reference = "curve.csv"
-x = "travel_mm"
-y = "punch_force_kN"
-quantity = "punch_force"
-tolerance = "5 %"
-reason = "for the test"
-"#;
+pub const COMPARE: &str = include_str!("compare.toml");
 
 /// So many elements and so short steps that a run of [`CUP`] takes far longer than a test.
 pub fn endless() -> String {
