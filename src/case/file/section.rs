@@ -52,8 +52,7 @@ pub struct SectionTable {
     /// Only with `shoulder`: punch travel at which the gap is `by` everywhere, which is how deep the cavity is; the
     /// whole travel when not given. Without `shoulder` it follows from the die touching the flat sheet.
     pub closed_at: Option<Positive<Length>>,
-    /// Tool on the other side of the flat sheet whose mirror image this one is: a holder of the die's form,
-    /// or a die of the holder's.
+    /// Tool on the other side of the sheet whose mirror image this is: a holder of the die's form, or the other way round.
     pub mirror_of: Option<Role>,
 }
 
@@ -293,7 +292,7 @@ impl Drawn {
         if let Some((at, _)) = self.profile.ends().into_iter().flatten().find(into_sheet) {
             let (towards, away) = if side > 0.0 { ("down", "up") } else { ("up", "down") };
             let what = format!("the {name}'s profile ends on its way {towards} to the sheet, at {}", place_of(at));
-            let help = format!("a {name}'s walls go {away}, away from the sheet: check the sign of z");
+            let help = format!("its walls go {away}, away from the sheet: check the sign of z");
             return Err(self.error(piece_at(at), source, what, help));
         }
         Ok((profile, shift))
