@@ -2,6 +2,8 @@
 
 mod tools;
 
+pub use tools::of_tool;
+
 use super::*;
 use crate::model::{Extent, Grading, Theory};
 use crate::units::ZERO_CELSIUS;

@@ -54,6 +54,7 @@ const ON_MODEL: &[fn(&Model) -> Option<Finding>] = &[
     holder::idle,
     holder::crushing,
     tools::narrow,
+    tools::overlap,
     solution_quality::mesh,
     draw::ratio,
     material::short,
@@ -80,6 +81,7 @@ const ON_RUN: &[fn(&Run) -> Option<Finding>] = &[
     filling::judge,
     tools::clearance,
     tools::ironing,
+    tools::idle,
     springback::judge,
     draw::delayed_cracking,
     draw::ears,
@@ -121,8 +123,7 @@ pub fn after(case: &Case, stages: &[StageSolution]) -> Vec<Finding> {
     ON_RUN.iter().filter_map(|find| find(&run)).chain(of_stages).collect()
 }
 
-/// Findings to print with each stage: its warnings and all assumptions; with the first stage, also the warnings before the
-/// run.
+/// Findings to print with each stage: its warnings and all assumptions; with the first, also the warnings before the run.
 pub fn by_stage(before: &[Finding], stages: &[StageSolution]) -> Vec<Vec<Finding>> {
     let of = |(i, stage)| {
         let with = before.iter().filter(move |finding| i == 0 || finding.kind == Kind::Assumption);
@@ -178,7 +179,7 @@ fn instant(stage: &StageSolution, travel: f64, time: f64) -> String {
 fn at_event(stage: &StageSolution, peak: &StepRecord) -> String {
     let begins = stage.steps.iter().rev().find(|step| step.step < peak.step).map_or(0.0, |before| before.travel);
     let here = events(stage).into_iter().find(|event| event.travel > begins && event.travel <= peak.travel);
-    here.map_or_else(String::new, |event| format!("({})", event.kind.label()))
+    here.map_or_else(String::new, |event| format!("({})", event.kind.label(&stage.model)))
 }
 
 pub(crate) fn largest(stage: &StageSolution, value: impl Fn(&StepRecord) -> f64) -> f64 {

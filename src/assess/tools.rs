@@ -2,14 +2,21 @@
 
 use super::tear::{is_upright, place};
 use super::*;
+use crate::geometry::Point;
 use crate::measure::thickest;
-use crate::model::Friction;
+use crate::model::{Friction, tool_sizes::apart};
+use crate::numerics::bisect;
 use crate::rules::{IRONING_LIMIT, SIZED};
+use crate::solver::solution::NodeRecord;
 
 /// Coefficient of dry steel on steel \[–\].
 const DRY: f64 = 0.3;
 /// Smallest gap over the thickness \[–\]; rounded sums of decimals may miss it.
 const LEAST: f64 = 1.0 - 1e-6;
+/// Overlap of tools over the thickness \[–\] and force \[N, or N/mm\] that count, and travels at which tools may meet.
+const OVERLAP: f64 = 1e-3;
+const TOUCH: f64 = 1e-6;
+const LOOKS: usize = 16;
 /// Gap over the thickness above which a wall is neither straight nor to size, declared \[–\].
 const WIDE: f64 = 1.5;
 /// Reduction of the thickness above which a wall counts as ironed \[–\].
@@ -36,6 +43,53 @@ pub(super) fn narrow(model: &Model) -> Option<Finding> {
         "at the full travel punch and die are {{}} apart, less than the thickness of {size}: thicker sheet is ironed"
     );
     Some(Finding::warning("narrow_clearance", "Clearance", text).number(Amount::size(gap)).at_least(t, None))
+}
+
+/// Further tool that runs into another one, at the start or where both are led.
+pub(super) fn overlap(model: &Model) -> Option<Finding> {
+    let (t, whole) = (model.blank.thickness, model.travel);
+    let later = |(i, a)| model.tools[i + 1..].iter().map(move |b| [b, a]);
+    let pairs = model.tools.iter().enumerate().flat_map(later).filter(|[further, _]| further.role.further().is_some());
+    let first = |pair: [&Tool; 2]| {
+        let at = |travel: f64| apart(pair, pair.map(|tool| tool.motion.displacement(travel, whole)));
+        let is_apart = |travel: f64| at(travel).0 >= -OVERLAP * t;
+        let led = pair.iter().all(|tool| !matches!(tool.motion, Motion::Pressed(_)));
+        let looks = (0..=if led { LOOKS } else { 0 }).map(|k| whole * k as f64 / LOOKS as f64);
+        let hit = looks.into_iter().find(|travel| !is_apart(*travel))?;
+        let [_, from] = bisect((hit - whole / LOOKS as f64).max(0.0), hit, 30, is_apart);
+        Some((pair.map(|tool| model.name_of(tool.role)), from, at(from).1))
+    };
+    let ([name, other], from, at) = pairs.into_iter().find_map(first)?;
+    let [r, z] = [at.x, at.y].map(Amount::size);
+    let start = if from > 0.0 { "from {} of travel on" } else { "at the start" };
+    let text = format!("the {name} and the {other} run into each other {start}, at r = {r}, z = {z}");
+    let warning = Finding::warning("overlap", "Tools", text).number(Amount::place(from));
+    Some(warning.limit("apart").source("the sections").advice("another profile, `gap` or drive"))
+}
+
+/// Further tools that never touch the sheet, the first one with how near it comes.
+pub(super) fn idle(run: &Run) -> Option<Finding> {
+    let last = run.stages.last().filter(|last| last.stop.is_complete())?;
+    let touches = |name: &str| {
+        let mut peaks = run.stages.iter().flat_map(StageSolution::further_peaks);
+        peaks.any(|(_, other, peak)| other == name && peak > TOUCH)
+    };
+    let names: Vec<&str> = last.model.further.iter().map(String::as_str).filter(|name| !touches(name)).collect();
+    let name = *names.first()?;
+    let frames = formed(run.stages).flat_map(|(_, stage)| stage.frames.iter().map(move |frame| (stage, frame)));
+    let near = frames.filter_map(|(stage, frame)| {
+        let tools = stage.model.tools.iter().zip(&frame.tool_displacement);
+        let (tool, moved) = tools.into_iter().find(|(tool, _)| stage.model.name_of(tool.role) == name)?;
+        let gap = |node: &NodeRecord| tool.profile.closest(Point::new(node.r, node.z) - moved).distance;
+        let gaps = frame.nodes.iter().map(|node| gap(node) - 0.5 * node.thickness);
+        Some((gaps.fold(f64::INFINITY, f64::min), instant(stage, frame.travel, frame.time), &tool.motion))
+    });
+    let (gap, at, motion) = near.min_by(|a, b| a.0.total_cmp(&b.0))?;
+    let drive = if *motion == Motion::Fixed { "it stands: give it a drive" } else { "a longer way, more force" };
+    let names = joined(names, " and the ");
+    let text = format!("the sheet never touches the {names}; the {name} comes within {{}} of it, at {at}");
+    let warning = Finding::warning("idle_tool", "Tools", text).number(Amount::place(gap));
+    Some(warning.limit("in contact").source("the run").advice(format!("{drive}, or a smaller `gap`")))
 }
 
 /// Gap between punch and die over the thickness in the worst stage, else the last; wide ones matter beside an upright wall.
@@ -85,8 +139,10 @@ pub(super) fn ironing(run: &Run) -> Option<Finding> {
     };
     let (careful, advice) = if run.stages.iter().any(|stage| estimate::has_land(&stage.model)) {
         (RING, "one ring more (`stampflow new cup --rings`), or a thicker wall")
-    } else {
+    } else if estimate::draw_ratio(run.case.model()).is_some() {
         (LIGHTLY, "a wider gap between punch and die there (`stampflow new cup --clearance`), or one draw more")
+    } else {
+        (LIGHTLY, "a wider gap between the tools there")
     };
     let source = "up to 15 % a draw sizes its wall, 30 % of a ring (declared); in one pass (Chin. J. Mech. Eng. 2022, 10.1186/s10033-022-00681-9)";
     let judged = Finding::judged("ironing", "Ironing", text).number(Amount::share(most.ironing));

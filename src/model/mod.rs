@@ -88,8 +88,7 @@ impl Model {
         self.notes.iter().find_map(|note| split(note)).map(|(_, open)| open)
     }
 
-    /// Axisymmetric sheet by the flow law with default settings; the punch travels `travel` \[mm\] at 1 mm/s, and its end
-    /// is kept.
+    /// Axisymmetric sheet by the flow law with default settings; the punch travels `travel` \[mm\] at 1 mm/s.
     pub fn new(blank: Blank, material: Material, tools: Vec<Tool>, travel: f64) -> Self {
         Self {
             title: String::new(),
@@ -125,6 +124,20 @@ impl Model {
     /// Name of a tool.
     pub fn name_of(&self, role: Role) -> &str {
         role.further().and_then(|number| self.further.get(number)).map_or(role.name(), String::as_str)
+    }
+
+    /// Tool that works: the punch if it moves, else the one that goes furthest, else the further tool that presses most.
+    pub fn worker(&self) -> Role {
+        let travel = |tool: &&Tool| tool.motion.displacement(self.travel, self.travel).norm();
+        let force = |tool: &&Tool| match &tool.motion {
+            Motion::Pressed(press) if tool.role.further().is_some() && self.gas.is_empty() => press.force.largest(),
+            _ => 0.0,
+        };
+        let most = |of: &dyn Fn(&&Tool) -> f64| {
+            self.tools.iter().filter(|tool| of(tool) > 0.0).max_by(|a, b| of(a).total_cmp(&of(b)))
+        };
+        let punch = self.tool(Role::Punch).filter(|punch| travel(punch) > 0.0);
+        punch.or_else(|| most(&travel)).or_else(|| most(&force)).map_or(Role::Punch, |tool| tool.role)
     }
 
     /// Tool of a role.
@@ -205,8 +218,7 @@ impl Model {
         self.schedule.as_ref().map_or(travel / self.speed, |schedule| schedule.reaches(travel))
     }
 
-    /// Process time of the clock interval `dt` from `time` on: its duration at the mean speed \[s\]. Steps are measured in it, so
-    /// that equal steps are equal travels.
+    /// Process time of the clock interval `dt` from `time` on \[s\]: equal steps in it are equal travels.
     pub fn process_time(&self, time: f64, dt: f64) -> f64 {
         match &self.schedule {
             Some(schedule) => self.duration * (schedule.at(time + dt) - schedule.at(time)) / self.travel,

@@ -51,9 +51,13 @@ pub fn throat(die: &Tool) -> Option<f64> {
 
 /// Smallest distance of two tools at a travel of the punch \[mm\], negative where they overlap, and the place \[mm\].
 pub(crate) fn gap(a: &Tool, b: &Tool, travel: f64) -> (f64, Point) {
-    let up = |tool: &Tool| Point::new(0.0, if tool.role == Role::Punch { travel } else { 0.0 });
-    let (distance, at) = a.profile.distance_by(&b.profile, up(a) - up(b), FINE, PARTS);
-    (distance, at + up(b))
+    apart([a, b], [a, b].map(|tool| Point::new(0.0, if tool.role == Role::Punch { travel } else { 0.0 })))
+}
+
+/// [`gap`] of two tools that have moved.
+pub(crate) fn apart([a, b]: [&Tool; 2], moved: [Point; 2]) -> (f64, Point) {
+    let (distance, at) = a.profile.distance_by(&b.profile, moved[0] - moved[1], FINE, PARTS);
+    (distance, at + moved[1])
 }
 
 /// Travel of the punch at which it is closer than `least` to another tool \[mm\], at most `most`.
@@ -71,8 +75,7 @@ pub(crate) fn has_room(punch: &Tool, die: &Tool, [edge, thickness]: [f64; 2], tr
     gap(&punch, &die, travel).0 >= thickness
 }
 
-/// Radius where the die's shoulder ends \[mm\]: at the innermost line on the level of its outermost one, so that the groove of a
-/// bead is no shoulder; else where its last corner ends.
+/// Radius where the die's shoulder ends \[mm\]: at its outermost level's innermost line, else where its last corner ends.
 pub(crate) fn shoulder_end(die: &Tool) -> f64 {
     let outermost = flats(die).max_by(|a, b| a.from.x.max(a.to.x).total_cmp(&b.from.x.max(b.to.x)));
     let at_level = flats(die).filter(|flat| outermost.is_some_and(|outer| (flat.to.y - outer.to.y).abs() < ROUNDED));
@@ -88,8 +91,7 @@ fn flats(tool: &Tool) -> impl Iterator<Item = Segment> {
     })
 }
 
-/// Displacement along z of a tool that comes from its side, above (1) or below (−1), until it is `apart` from a sheet of points
-/// with half their thickness \[mm\]; `t` is about its thickness.
+/// Displacement of a tool from above (1) or below (−1) until `apart` from a sheet of points, half as thick \[mm\].
 pub fn met(tool: &Profile, side: f64, sheet: &[(Point, f64)], [t, apart]: [f64; 2]) -> f64 {
     let towards = -side;
     let z = || sheet.iter().map(|(x, _)| x.y);

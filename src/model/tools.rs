@@ -85,6 +85,18 @@ pub enum Motion {
     Pressed(Press),
 }
 
+impl Motion {
+    /// Displacement at a travel of the `whole` one \[mm\]; none of a tool that stands or is pressed.
+    pub fn displacement(&self, travel: f64, whole: f64) -> Point {
+        match self {
+            Self::Travel => Point::new(0.0, travel),
+            Self::Course(course) => Point::new(0.0, course.at(travel)),
+            Self::Path(way) => *way * (travel / whole),
+            Self::Fixed | Self::Gap(_) | Self::Pressed(_) => Point::zeros(),
+        }
+    }
+}
+
 /// Force of a pressed holder or pad: F = F₀(travel) − c w, with w its move towards the sheet.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Press {

@@ -181,9 +181,10 @@ fn localised(model: &Model, state: &State, neck: &Neck) -> Stop {
         _ => "where no tool supports it".into(),
     };
     let ([travel, s0], left) = ([state.travel, neck.s0].map(Amount::place), Amount::share(neck.share));
+    let less = if model.tool(Role::Holder).is_some() { "Less holder force or friction" } else { "Less friction" };
     let text = format!(
         "ended at {travel} of travel by a neck at s0 = {s0}, where {left} of its thickness is left; {place}, one place takes \
-         all the stretching while the sheet beside it has stopped. Less holder force or friction, or a larger radius there, \
+         all the stretching while the sheet beside it has stopped. {less}, or a larger radius there, \
          lets it go deeper"
     );
     Stop::at(StopKind::Localised, neck.s0, text)
@@ -196,13 +197,8 @@ fn closed(model: &Model, state: &State) -> Option<(f64, Point)> {
     // Without the waiting gap.
     let moved = |k: usize, travel: f64| {
         let tool = &model.tools[k];
-        let way = match &tool.motion {
-            Motion::Travel => Point::new(0.0, travel),
-            Motion::Course(course) => Point::new(0.0, course.at(travel)),
-            Motion::Path(way) => *way * (travel / model.travel),
-            _ => Point::zeros(),
-        };
-        state.tools[k] - Point::new(0.0, waiting_displacement(model, tool)) + way
+        state.tools[k] - Point::new(0.0, waiting_displacement(model, tool))
+            + tool.motion.displacement(travel, model.travel)
     };
     let limit = CLOSED * model.blank.thickness;
     let apart = |travel: f64| punch.profile.distance_to(&die.profile, moved(i, travel) - moved(j, travel));

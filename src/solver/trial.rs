@@ -80,14 +80,12 @@ impl Trial {
             held.into_iter().enumerate().for_each(|(d, held)| self.moves[i][d] = held.unwrap_or(self.moves[i][d]));
         }
         for (j, tool) in context.tools.iter().enumerate() {
+            let to = |travel: f64| tool.motion.displacement(travel, model.travel);
             let moved = match tool.motion {
-                Motion::Fixed | Motion::Gap(_) => Point::zeros(),
-                Motion::Travel => Point::new(0.0, step.travel() - state.travel),
-                Motion::Course(ref course) => Point::new(0.0, course.at(step.travel()) - course.at(state.travel)),
                 Motion::Path(way) => way * (model.progress(step.end()) - model.progress(state.time)),
                 // What the sheet has left stands still.
-                Motion::Pressed(_) if tool.released.is_some() => Point::zeros(),
-                Motion::Pressed(_) => Point::new(0.0, share * state.tool_velocity[j]),
+                Motion::Pressed(_) if tool.released.is_none() => Point::new(0.0, share * state.tool_velocity[j]),
+                _ => to(step.travel()) - to(state.travel),
             };
             self.tools[j] = state.tools[j] + moved;
         }

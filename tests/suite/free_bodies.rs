@@ -59,3 +59,22 @@ fn further_tools_have_drives_of_their_own() {
     assert_relative_eq!(z(led.frames.last().expect("a frame")), wanted, max_relative = 1e-3);
     assert!(pressed(&led).iter().all(|force| force.abs() < 1e-9), "it stays ahead of the sheet");
 }
+
+/// Trust: the punch is a thickness below a tool that stands on the flat sheet, and touches it after that travel.
+#[test]
+fn a_further_tool_that_stands_by_mistake_is_named() {
+    let bend = made("u-bend", &[], &[]);
+    let warnings = |gap: &str| {
+        let tool = "[[tools.further]]\nname = \"ejector\"\nabove = true\nfriction = 0.1\n\
+                    profile = [{ from = [\"12 mm\", \"0 mm\"] }, { to = [\"0 mm\", \"0 mm\"] }]";
+        let case = parsed(&format!("{}\n{tool}\ngap = \"{gap}\"\n", bend.text), &[]);
+        let stands = check::report(&case).lines.into_iter().any(|line| line.meaning.contains("above, stands"));
+        assert!(stands, "the table says that it stands");
+        let solution = if gap == "0 mm" { Vec::new() } else { case.solve(&mut ()).stages };
+        assess::sentences(&[assess::before(&case), assess::after(&case, &solution)].concat(), Kind::Warning).join("\n")
+    };
+    let meets = warnings("0 mm");
+    assert!(meets.contains("the ejector and the punch run into each other from 1.0 mm of travel on"), "{meets}");
+    let idle = warnings("90 mm");
+    assert!(idle.contains("the sheet never touches the ejector") && !idle.contains("run into"), "{idle}");
+}

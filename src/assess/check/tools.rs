@@ -29,13 +29,18 @@ pub(super) fn lines(model: &Model) -> Vec<Line> {
     lines
 }
 
-fn of_tool(model: &Model, tool: &Tool) -> Line {
-    let (low, high) = extent(tool);
+/// Name, size, drive, radii and friction of a tool.
+pub fn of_tool(model: &Model, tool: &Tool) -> Line {
+    let ((low, high), side) = (extent(tool), if tool.role.side() > 0.0 { "above" } else { "below" });
     let closed = tool.role == Role::Die && throat(tool).is_none();
     let (size, of) = match tool.role {
         Role::Die if closed => ("closed".into(), "by a bottom that reaches the axis"),
         Role::Die => (size_of(model, low, Amount::drawn), "of the throat"),
         Role::Holder => (size_of(model, low, Amount::drawn), "of the inner edge"),
+        Role::Upper(_) | Role::Lower(_) => {
+            let [low, high] = [low, high].map(|half| (half > 0.0).then(|| size_of(model, half, Amount::drawn)));
+            (joined([low, high].into_iter().flatten(), " to "), side)
+        }
         _ => (size_of(model, high, Amount::drawn), "to the wall"),
     };
     let of = if model.geometry == Geometry::PlaneStrain && !closed { format!("half-width {of}") } else { of.into() };
@@ -46,7 +51,8 @@ fn of_tool(model: &Model, tool: &Tool) -> Line {
         Friction::Coulomb(_) => format!("friction {}", Amount::number(tool.friction.largest_coefficient())),
         law => format!("friction {law}"),
     };
-    let meaning = joined([of, mouth, opening(tool), corners(tool, model.blank.thickness), friction], ", ");
+    let drive = tool.role.further().map_or_else(String::new, |_| drive(model, tool));
+    let meaning = joined([of, drive, mouth, opening(tool), corners(tool, model.blank.thickness), friction], ", ");
     line(model.name_of(tool.role), size, meaning)
 }
 
@@ -142,25 +148,31 @@ fn of_gas(model: &Model, gas: &Gas) -> Line {
     number("strain rate", rate, format!("{limits} {place}"))
 }
 
+/// Drive of a tool: `goes 3 mm`, `presses with 20 kN at the end`, `stands`.
+fn drive(model: &Model, tool: &Tool) -> String {
+    let most = if model.stop.drawn_through { " at most" } else { "" };
+    match &tool.motion {
+        Motion::Path(by) if by.x == 0.0 => format!("goes {}{most}", Amount::size(by.y)),
+        Motion::Path(by) => format!("goes {} and {} aside", Amount::size(by.y), Amount::size(by.x)),
+        Motion::Travel => "goes with the punch".into(),
+        Motion::Course(course) => format!("goes {} by its path", Amount::size(course.at(model.travel))),
+        Motion::Pressed(press) => {
+            let force = Amount::given_force(press.force.at(model.travel), model.extent().force_unit());
+            format!("presses with {force} at the end")
+        }
+        Motion::Fixed | Motion::Gap(_) => "stands".into(),
+    }
+}
+
 pub(super) fn stage(n: usize, stage: &Stage) -> Line {
     let Stage { model, begin, .. } = stage;
     let mut does = Vec::new();
-    let most = if model.stop.drawn_through { " at most" } else { "" };
     does.extend(begin.trim.map(|half| format!("cut at {}", size_of(model, half, Amount::set))));
     does.extend(begin.turn_over.then(|| "turned over".into()));
     does.extend(begin.anneal.then(|| "annealed".into()));
     for tool in &model.tools {
-        let name = model.name_of(tool.role);
-        let name = if begin.meets.contains(&tool.role) { format!("new {name}") } else { name.into() };
-        does.push(match &tool.motion {
-            Motion::Path(by) if by.x == 0.0 => format!("{name} goes {}{most}", Amount::size(by.y)),
-            Motion::Path(by) => format!("{name} goes {} and {} aside", Amount::size(by.y), Amount::size(by.x)),
-            Motion::Pressed(press) => {
-                let force = Amount::given_force(press.force.at(model.travel), model.extent().force_unit());
-                format!("{name} presses with {force} at the end")
-            }
-            Motion::Fixed | Motion::Gap(_) | Motion::Travel | Motion::Course(_) => format!("{name} stands"),
-        });
+        let new = if begin.meets.contains(&tool.role) { "new " } else { "" };
+        does.push(format!("{new}{} {}", model.name_of(tool.role), drive(model, tool)));
     }
     does.extend(model.release.map(|_| "tools taken away".into()));
     does.push(match model.mode {

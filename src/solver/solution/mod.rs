@@ -98,6 +98,20 @@ impl StageSolution {
         tools.map(|(j, tool)| (self.model.name_of(tool.role), self.pressing(j)))
     }
 
+    /// Force on the sheet at each of the steps of the further tool that [works](Model::worker), else of the punch \[N, or N/mm\].
+    pub fn working_force(&self) -> Vec<f64> {
+        let worker = Some(self.model.worker()).filter(|role| role.further().is_some());
+        let punch = || self.steps.iter().map(|step| step.punch_force).collect();
+        worker.and_then(|role| self.model.tool_index(role)).map_or_else(punch, |j| self.pressing(j))
+    }
+
+    /// Further tools, their names, and the largest force with which each presses on the sheet \[N, or N/mm\].
+    pub fn further_peaks(&self) -> impl Iterator<Item = (&Tool, &str, f64)> {
+        let tools = self.model.tools.iter().enumerate().filter(|(_, tool)| tool.role.further().is_some());
+        let peak = |j: usize| self.pressing(j).into_iter().fold(0.0, f64::max);
+        tools.map(move |(j, tool)| (tool, self.model.name_of(tool.role), peak(j)))
+    }
+
     /// Force with which a tool presses on the sheet at each of the steps \[N, or N/mm\].
     pub fn pressing(&self, tool: usize) -> Vec<f64> {
         self.tool_forces.iter().map(|forces| -self.model.tools[tool].role.side() * forces[tool]).collect()
