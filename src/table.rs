@@ -125,6 +125,11 @@ impl<R> Field<R> {
     }
 }
 
+/// Name of a tool as a part of a key.
+pub(crate) fn keyed(name: &str) -> String {
+    name.to_lowercase().replace(|c: char| !c.is_alphanumeric(), "_")
+}
+
 /// Word for a geometry: a body of revolution has an axis and hoops, a plane section a symmetry plane and a width.
 pub fn worded<T>(geometry: Geometry, axisymmetric: T, plane_strain: T) -> T {
     if geometry == Geometry::Axisymmetric { axisymmetric } else { plane_strain }

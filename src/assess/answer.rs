@@ -168,34 +168,51 @@ fn thinnest(stages: &[StageSolution], end: &StepRecord, is_torn: bool) -> Option
     Some(Quantity::new("thinnest", "Thinnest", Amount::thickness(end.thinnest)).at(joined(about, ", ")))
 }
 
-fn largest(stages: &[StageSolution], value: fn(&StepRecord) -> f64) -> Option<(usize, &StepRecord)> {
-    let steps = formed(stages).flat_map(|(i, stage)| stage.steps.iter().map(move |step| (i, step)));
-    steps.max_by(|a, b| value(a.1).total_cmp(&value(b.1))).filter(|(_, step)| value(step) > 0.0)
+/// Stage, counted from 0, and step of a largest value, and the value; `None` if it is nowhere above 0.
+type Peak<'a> = Option<(usize, &'a StepRecord, f64)>;
+
+fn largest(stages: &[StageSolution], values: fn(&StageSolution) -> Vec<f64>) -> Peak<'_> {
+    let steps =
+        formed(stages).flat_map(|(i, stage)| stage.steps.iter().zip(values(stage)).map(move |(s, v)| (i, s, v)));
+    steps.max_by(|a, b| a.2.total_cmp(&b.2)).filter(|(.., value)| *value > 0.0)
 }
 
-/// Step of the largest punch force, and the number of its stage; `None` if no punch presses.
-pub fn largest_force(stages: &[StageSolution]) -> Option<(usize, &StepRecord)> {
-    largest(stages, |step| step.punch_force)
+/// Largest force of the tools that [work](StageSolution::working_force).
+pub fn largest_force(stages: &[StageSolution]) -> Peak<'_> {
+    largest(stages, StageSolution::working_force)
 }
 
 /// Largest force over all stages and the press for it with its error bar \[N, or N/mm\], or largest pressure if no punch moves.
 pub(super) fn load(case: &Case, stages: &[StageSolution], bar: f64) -> Option<Quantity> {
     let stage = |i: usize| if formed(stages).count() > 1 { format!("in stage {}", i + 1) } else { String::new() };
-    let Some((i, peak)) = largest_force(stages) else {
-        let (i, peak) = largest(stages, |step| step.pressure.abs())?;
+    let Some((i, peak, force)) = largest_force(stages) else {
+        let pressures = |on: &StageSolution| on.steps.iter().map(|step| step.pressure.abs()).collect();
+        let (i, peak, pressure) = largest(stages, pressures)?;
         let at = format!("at a height of {}", Amount::place(peak.pole_height.abs()));
-        let pressure = Quantity::new("pressure", "Pressure", Amount::stress(peak.pressure.abs()));
+        let pressure = Quantity::new("pressure", "Pressure", Amount::stress(pressure));
         return Some(pressure.at(joined([stage(i), at], ", ")));
     };
     let pressed = Load::largest(stages, &case.press)?;
-    let at = joined([stage(i), format!("at {} of travel", Amount::place(peak.travel))], ", ");
+    let of = |on: &StageSolution| match on.model.worker() {
+        role @ (Role::Upper(_) | Role::Lower(_)) => format!("of the {}", on.model.name_of(role)),
+        _ => String::new(),
+    };
+    let at = format!("at {}", instant(&stages[i], peak.travel, peak.time));
+    let at = joined([of(&stages[i]), stage(i), at], ", ");
     let others = formed(stages).filter(|(other, _)| *other != i).map(|(other, on)| {
-        let force = super::largest(on, |step| step.punch_force);
-        if force > 0.0 { format!("{} in stage {}", pressed.amount(force), other + 1) } else { String::new() }
+        let force = on.working_force().into_iter().fold(0.0, f64::max);
+        let force =
+            if force > 0.0 { format!("{} in stage {}", pressed.amount(force), other + 1) } else { String::new() };
+        joined([force, of(on)], " ")
     });
     let about = joined([at, joined(others, ", "), press(case, &pressed, bar)], "; ");
-    let label = if stages[i].model.tool(Role::Punch).is_some() { "Punch force" } else { "Feed force" };
-    Some(Quantity::new("punch_force", label, pressed.amount(peak.punch_force)).at(about))
+    let (is_punch, model) = (of(&stages[i]).is_empty(), &stages[i].model);
+    let [key, label] = match is_punch {
+        true if model.tool(Role::Punch).is_none() => ["punch_force", "Feed force"],
+        true => ["punch_force", "Punch force"],
+        false => ["tool_force", "Tool force"],
+    };
+    Some(Quantity::new(key, label, pressed.amount(force)).at(about))
 }
 
 /// Share of the press's rating, or press for a load and its error bar \[N, or N/mm\].
@@ -257,8 +274,8 @@ fn further(stages: &[StageSolution]) -> Option<Quantity> {
     let model = &stages.last()?.model;
     let amount = |force: f64| Amount::force(force, model.extent().force_unit()).to(Digits::Significant(3));
     let largest = |name: &String| {
-        let forces = stages.iter().flat_map(StageSolution::further_forces).filter(|(other, _)| other == name);
-        amount(forces.flat_map(|(_, forces)| forces).fold(0.0, f64::max))
+        let peaks = stages.iter().flat_map(StageSolution::further_peaks).filter(|(_, other, _)| other == name);
+        amount(peaks.map(|(.., peak)| peak).fold(0.0, f64::max))
     };
     let (first, others) = model.further.split_first()?;
     let others = others.iter().map(|name| format!("{name} {}", largest(name)));

@@ -1,5 +1,4 @@
-//! Bands of a formed part as a die designer names them, by the pieces of the tools that the sheet lies against; free stretches
-//! take their name from both sides.
+//! Bands of a formed part as a die designer names them, by the tools that it lies against; free ones by both sides.
 //!
 //! ```text
 //!   bottom     punch radius     wall      die radius     flange
@@ -35,18 +34,21 @@ named! {
     Dome: "dome", "Sheet on a punch that is round from the axis on, or free under gas.";
     PunchRadius: "punch radius", "Bend around the punch's edge.";
     Wall: "wall", "Steep sheet, free between punch and die or along one of them.";
-    Unsupported: "unsupported", "Free sheet between a dome and the die.";
+    Unsupported: "unsupported stretch", "Free sheet between a dome and the die, or beside a further tool.";
     DieCorner: "die corner", "Bend in the hollow corner of a die.";
     DieRadius: "die radius", "Bend over the die's edge.";
     HolderRadius: "holder radius", "Bend over the edge of a holder within the part.";
     Flange: "flange", "Sheet between holder and die, or flat outside the die radius.";
+    Tool: "tool", "Sheet on a further tool alone.";
 }
 
 /// Extent of a band.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stretch {
-    /// Name.
+    /// Kind.
     pub band: Band,
+    /// Name: `punch radius`, `tool 'coin'`.
+    pub name: String,
     /// Elements, from the axis outward.
     pub elements: Range<usize>,
     /// Both ends as length along the deformed mid-surface from the middle \[mm\].
@@ -54,12 +56,14 @@ pub struct Stretch {
 }
 
 /// Place on a part in a designer's terms.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct PartPlace {
     /// Band of the place.
     pub band: Band,
-    /// Other band within three thicknesses.
-    pub next_to: Option<Band>,
+    /// Name of the band.
+    pub name: String,
+    /// Name of another band within three thicknesses.
+    pub next_to: Option<String>,
 }
 
 impl std::fmt::Display for PartPlace {
@@ -68,10 +72,10 @@ impl std::fmt::Display for PartPlace {
         let preposition = match self.band {
             Band::Dome | Band::PunchRadius | Band::DieRadius | Band::HolderRadius => "on",
             Band::Bottom | Band::Wall | Band::Unsupported | Band::DieCorner | Band::Flange => "in",
+            Band::Tool => "at",
         };
-        let stretch = if self.band == Band::Unsupported { " stretch" } else { "" };
-        write!(f, "{preposition} the {}{stretch}", self.band.name())?;
-        self.next_to.map_or(Ok(()), |other| write!(f, ", next to the {}", other.name()))
+        write!(f, "{preposition} the {}", self.name)?;
+        self.next_to.as_ref().map_or(Ok(()), |other| write!(f, ", next to the {other}"))
     }
 }
 
@@ -80,7 +84,7 @@ pub fn along(frame: &Frame) -> Vec<f64> {
     running_sums(frame.nodes.windows(2).map(|w| (w[1].r - w[0].r).hypot(w[1].z - w[0].z)))
 }
 
-/// Bands of the part after a stage, from the middle outward; empty if neither punch nor gas formed it.
+/// Bands of the part after a stage, from the middle outward; empty if no punch, further tool or gas formed it.
 pub fn bands(stage: &StageSolution) -> Vec<Stretch> {
     let Some(last) = stage.frames.last() else { return Vec::new() };
     let Some(names) = bands_of_nodes(stage, last) else { return Vec::new() };
@@ -97,7 +101,9 @@ pub fn bands(stage: &StageSolution) -> Vec<Stretch> {
         let nodes = from..from + same.len();
         from = nodes.end;
         let elements = nodes.start.min(elements)..nodes.end.min(elements);
-        Stretch { band: same[0], along: [end(nodes.start), end(nodes.end)], elements }
+        let (band, tool) = same[0];
+        let name = tool.map_or(band.name().into(), |role| format!("tool '{}'", stage.model.name_of(role)));
+        Stretch { band, name, along: [end(nodes.start), end(nodes.end)], elements }
     });
     stretches.filter(|stretch| !stretch.elements.is_empty()).collect()
 }
@@ -114,15 +120,16 @@ pub fn place_on_part(stage: &StageSolution, s0: f64) -> Option<PartPlace> {
     let element = element_at(frame, s0)?;
     let along = along(frame);
     let middle = 0.5 * (along[element] + along[element + 1]);
-    let bands = bands(stage);
+    let mut bands = bands(stage);
     let i = bands.iter().position(|stretch| stretch.elements.contains(&element))?;
     let near = NEXT_TO * stage.model.blank.thickness;
     let [from, to] = bands[i].along;
-    let inner = i.checked_sub(1).map(|inner| (middle - from, bands[inner].band));
-    let outer = bands.get(i + 1).map(|outer| (to - middle, outer.band));
+    let inner = i.checked_sub(1).map(|inner| (middle - from, &bands[inner].name));
+    let outer = bands.get(i + 1).map(|outer| (to - middle, &outer.name));
     let nearest = [inner, outer].into_iter().flatten().min_by(|a, b| a.0.total_cmp(&b.0));
-    let next_to = nearest.filter(|(distance, _)| *distance < near).map(|(_, band)| band);
-    Some(PartPlace { band: bands[i].band, next_to })
+    let next_to = nearest.filter(|(distance, _)| *distance < near).map(|(_, name)| name.clone());
+    let Stretch { band, name, .. } = bands.swap_remove(i);
+    Some(PartPlace { band, name, next_to })
 }
 
 #[derive(Clone, Copy)]
@@ -137,9 +144,13 @@ fn is_punch(contact: &NodeContact) -> bool {
     contact.tool.role == Role::Punch
 }
 
-/// Band of each node by the frame in which the tools formed it; `None` if neither punch nor gas did.
-fn bands_of_nodes(stage: &StageSolution, last: &Frame) -> Option<Vec<Band>> {
-    let punched = |contacts: &[Option<NodeContact>]| contacts.iter().flatten().any(is_punch);
+/// Band, and further tool, of a node.
+type Named = (Band, Option<Role>);
+
+/// Band of each node by the frame in which the tools formed it; `None` if no punch, further tool or gas did.
+fn bands_of_nodes(stage: &StageSolution, last: &Frame) -> Option<Vec<Named>> {
+    let forms = |contact: &NodeContact| is_punch(contact) || contact.band == Band::Tool;
+    let punched = |contacts: &[Option<NodeContact>]| contacts.iter().flatten().any(forms);
     let end = contacts(&stage.model, last);
     let start = stage.start.as_ref().filter(|_| stage.model.release.is_some() || !punched(&end));
     let start = start.map(|start| (start, contacts(&stage.model, start)));
@@ -149,9 +160,10 @@ fn bands_of_nodes(stage: &StageSolution, last: &Frame) -> Option<Vec<Band>> {
 }
 
 fn contacts<'a>(model: &'a Model, frame: &Frame) -> Vec<Option<NodeContact<'a>>> {
+    let mut tools: Vec<_> = model.tools.iter().enumerate().collect();
+    tools.sort_by_key(|(_, tool)| tool.role.index());
     let of_node = |node: &NodeRecord| {
-        Role::ALL.into_iter().find_map(|role| {
-            let (i, tool) = model.tools.iter().enumerate().find(|(_, tool)| tool.role == role)?;
+        tools.iter().find_map(|&(i, tool)| {
             let moved = frame.tool_displacement.get(i).copied().unwrap_or_default();
             let at = Point::new(node.r, node.z) - moved;
             let closest = tool.profile.closest(at);
@@ -163,42 +175,52 @@ fn contacts<'a>(model: &'a Model, frame: &Frame) -> Vec<Option<NodeContact<'a>>>
     frame.nodes.iter().map(of_node).collect()
 }
 
-fn node_bands(geometry: Geometry, frame: &Frame, contacts: &[Option<NodeContact>]) -> Vec<Band> {
+fn node_bands(geometry: Geometry, frame: &Frame, contacts: &[Option<NodeContact>]) -> Vec<Named> {
     let at = |i: usize| Point::new(frame.nodes[i].r, frame.nodes[i].z);
-    let mut names: Vec<Band> = Vec::with_capacity(contacts.len());
+    let mut names: Vec<Named> = Vec::with_capacity(contacts.len());
     for run in contacts.chunk_by(|a, b| a.is_some() == b.is_some()) {
         let nodes = names.len()..names.len() + run.len();
         let inner = nodes.start.checked_sub(1).and_then(|i| contacts[i]);
         let outer = contacts.get(nodes.end).copied().flatten();
         let free = |i: usize| between(geometry, at(i), inner.as_ref(), outer.as_ref());
-        names.extend(nodes.zip(run).map(|(i, contact)| contact.map_or_else(|| free(i), |contact| contact.band)));
+        names.extend(nodes.zip(run).map(|(i, contact)| contact.map_or_else(|| free(i), named)));
     }
     // A bead in the flange is a part of it.
-    let is_flange = |band: &Band| *band == Band::Flange;
+    let is_flange = |(band, _): &Named| *band == Band::Flange;
     if let (Some(first), Some(last)) = (names.iter().position(is_flange), names.iter().rposition(is_flange)) {
-        names[first..last].fill(Band::Flange);
+        names[first..last].fill((Band::Flange, None));
     }
     names
 }
 
-fn between(geometry: Geometry, node: Point, inner: Option<&NodeContact>, outer: Option<&NodeContact>) -> Band {
+fn named(contact: NodeContact) -> Named {
+    (contact.band, Some(contact.tool.role).filter(|_| contact.band == Band::Tool))
+}
+
+fn between(geometry: Geometry, node: Point, inner: Option<&NodeContact>, outer: Option<&NodeContact>) -> Named {
     let along = |touch: &NodeContact| {
         let at = node - touch.moved;
         of_piece(geometry, touch.tool, touch.tool.profile.closest(at).piece, at)
     };
-    match (inner, outer) {
+    let band = match (inner, outer) {
+        (Some(inner), Some(outer)) if inner.band == Band::Tool && inner.tool.role == outer.tool.role => {
+            return named(*inner);
+        }
+        (Some(touch), _) | (_, Some(touch)) if touch.band == Band::Tool => Band::Unsupported,
         (Some(inner), Some(outer)) if is_punch(inner) == is_punch(outer) => along(inner),
         (Some(inner), None) if !is_punch(inner) => along(inner),
         (None, Some(outer)) if is_punch(outer) => along(outer),
         (None, _) => Band::Dome,
         (Some(NodeContact { band: Band::Dome, .. }), _) => Band::Unsupported,
         _ => Band::Wall,
-    }
+    };
+    (band, None)
 }
 
 fn of_piece(geometry: Geometry, tool: &Tool, piece: usize, at: Point) -> Band {
     let (role, profile) = (tool.role, &tool.profile);
     match &profile.pieces()[piece] {
+        _ if role.further().is_some() => Band::Tool,
         Piece::Arc(arc) if arc.sweep < 0.0 => match role {
             Role::Punch => nose(geometry, profile, at),
             Role::Die => Band::DieRadius,
@@ -212,9 +234,9 @@ fn of_piece(geometry: Geometry, tool: &Tool, piece: usize, at: Point) -> Band {
             let edge = || profile.corners().map(|corner| corner.center.x).fold(f64::INFINITY, f64::min);
             match role {
                 _ if !is_level => Band::Wall,
-                Role::Punch | Role::Pad | Role::Upper(_) | Role::Lower(_) => Band::Bottom,
-                Role::Die if at.x < edge() && edge().is_finite() => Band::Bottom,
-                Role::Die | Role::Holder => Band::Flange,
+                Role::Die if at.x >= edge() || !edge().is_finite() => Band::Flange,
+                Role::Holder => Band::Flange,
+                _ => Band::Bottom,
             }
         }
     }

@@ -4,7 +4,7 @@
 //! lasts from the start, or comes back before the sheet has gone a thickness away, is no event.
 
 use crate::forming_limit;
-use crate::model::{Edge, Motion, Role};
+use crate::model::{Edge, Model, Motion, Role};
 use crate::solver::solution::{StageSolution, StepRecord, StopKind};
 
 /// Gaps over the thickness above which the sheet is off a tool, and below which it is on it \[–\].
@@ -44,15 +44,15 @@ pub enum EventKind {
 
 impl EventKind {
     /// Name in files.
-    pub fn key(self) -> String {
+    pub fn key(self, model: &Model) -> String {
         let (key, _, role) = self.names();
-        key.to_owned() + role.map_or("", Role::name)
+        key.to_owned() + &role.map_or("", |role| model.name_of(role)).replace(' ', "_")
     }
 
     /// Label in tables and on curves.
-    pub fn label(self) -> String {
+    pub fn label(self, model: &Model) -> String {
         let (_, label, role) = self.names();
-        label.to_owned() + role.map_or("", Role::name)
+        label.to_owned() + role.map_or("", |role| model.name_of(role))
     }
 
     /// Key and label, which end in the role.

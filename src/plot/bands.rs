@@ -20,7 +20,7 @@ pub(super) fn panel(view: &StageView, least: f64) -> Option<Panel> {
     let names = bands.iter().filter_map(|band| {
         let middle = 0.5 * (band.along[0] + band.along[1]);
         let at = curve.iter().min_by(|a, b| (a.0 - middle).abs().total_cmp(&(b.0 - middle).abs()))?;
-        Some(Annotation::flag(band.band.name(), *at))
+        Some(Annotation::flag(&band.name, *at))
     });
     let x = Axis::named("Length along the part from its middle", Unit::Mm);
     let panel = Panel::fit(x, THICKNESS.axis(view.extent()), HEIGHT, least).with(borders).annotated(names);

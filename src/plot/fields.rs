@@ -4,8 +4,7 @@ use crate::solver::solution::{ElementRecord, StepRecord};
 use crate::table::{Field, Unit};
 use crate::units::ZERO_CELSIUS;
 
-/// Makes fields of a record's own numbers: the number, which names the field in files, and its labels in an axisymmetric and
-/// in a plane-strain section.
+/// Makes fields of a record's own numbers: the number, its name in files, and labels, axisymmetric and in plane strain.
 macro_rules! fields {
     ($record:ident: $($(#[$doc:meta])* $name:ident = $number:ident, $labels:expr, $unit:ident;)*) => {$(
         $(#[$doc])*
@@ -19,6 +18,7 @@ pub mod step {
 
     fields! {
         StepRecord:
+        TIME = time, ["Time"; 2], Second;
         TRAVEL = travel, ["Punch travel"; 2], Mm;
         PUNCH_FORCE = punch_force, ["Punch force"; 2], N;
         PAD_FORCE = pad_force, ["Pad force"; 2], N;

@@ -3,7 +3,9 @@
 use super::*;
 use crate::measure;
 use crate::plot::axis::capitalised;
-use crate::plot::fields::step::{EDGE_FORCE, HOLDER_FORCE, PAD_FORCE, POLE_HEIGHT, PRESSURE, PUNCH_FORCE, TRAVEL};
+use crate::plot::fields::step::{
+    EDGE_FORCE, HOLDER_FORCE, PAD_FORCE, POLE_HEIGHT, PRESSURE, PUNCH_FORCE, TIME, TRAVEL,
+};
 
 /// Largest press rating that is drawn, over the largest force: a larger one would flatten the curve.
 const NEAR: f64 = 2.0;
@@ -15,23 +17,22 @@ pub(crate) fn plot(view: &StageView) -> Option<Chart> {
     if view.model().travel > 0.0 {
         let unit = view.extent().force_unit();
         let events = measure::events(view.stage).into_iter().map(|event| {
-            let text = format!("{}, {}", event.kind.label(), Amount::place(event.travel));
+            let text = format!("{}, {}", event.kind.label(view.model()), Amount::place(event.travel));
             Annotation::flag(text, (event.travel, event.force))
         });
         panel = panel.annotated(events);
         let steps = &view.stage.steps;
-        let peak = steps.iter().max_by(|a, b| a.punch_force.total_cmp(&b.punch_force));
-        if let Some(peak) = peak.filter(|peak| peak.punch_force > 0.0) {
-            let (force, travel) = (Amount::force(peak.punch_force, unit), Amount::place(peak.travel));
-            let text = format!("peak {force} at {travel}");
-            panel.annotations.push(Annotation::flag(text, (peak.travel, peak.punch_force)));
+        let peak = steps.iter().zip(view.stage.working_force()).max_by(|a, b| a.1.total_cmp(&b.1));
+        if let Some((peak, largest)) = peak.filter(|(_, force)| *force > 0.0) {
+            let text = format!("peak {} at {}", Amount::force(largest, unit), Amount::place(peak.travel));
+            panel.annotations.push(Annotation::flag(text, (peak.travel, largest)));
             if let Some((press, rating)) = view.case.and_then(|case| Some((&case.press, case.press.force?))) {
                 let of = if press.drive.is_some() { "Permitted by the drive, nominal force" } else { "Press rating," };
                 let label = format!("{of} {}", Amount::given_force(rating, unit));
                 let permitted =
                     |step: &StepRecord| press.permitted(view.model().travel - step.travel).unwrap_or(rating);
                 let line = steps.iter().map(|step| (step.travel, permitted(step)));
-                let line: Vec<_> = line.filter(|(_, force)| *force <= NEAR * peak.punch_force).collect();
+                let line: Vec<_> = line.filter(|(_, force)| *force <= NEAR * largest).collect();
                 if !line.is_empty() {
                     panel = panel.with([Series::new(label, line, RATING)]);
                 } else {
@@ -40,30 +41,33 @@ pub(crate) fn plot(view: &StageView) -> Option<Chart> {
             }
         }
     }
-    Some(view.chart(if view.model().travel > 0.0 { "forces" } else { "pressure" }, vec![panel], notes))
+    Some(view.chart(if view.is_by_gas() { "pressure" } else { "forces" }, vec![panel], notes))
 }
 
-/// Punch, holder and edge force over the travel, or the gas pressure over the height; `None` during release. One point
-/// per step.
+/// Forces of the tools over travel or time, or gas pressure over height, a point a step; `None` during release.
 pub(super) fn panel(view: &StageView, height: f64) -> Option<Panel> {
     let (extent, steps) = (view.extent(), &view.stage.steps);
     steps.first().filter(|_| view.model().release.is_none())?;
-    let (over, y, fields) = if view.model().travel == 0.0 {
+    let model = view.model();
+    let (over, y, fields) = if view.is_by_gas() {
         (POLE_HEIGHT, PRESSURE.axis(extent), vec![PRESSURE])
     } else {
+        let works = model.worker().further().is_none();
         let acts = |field: &Field<StepRecord>| steps.iter().any(|step| (field.value)(step) != 0.0);
-        let others = [HOLDER_FORCE, PAD_FORCE, EDGE_FORCE].into_iter().filter(acts);
-        let fields: Vec<_> = std::iter::once(PUNCH_FORCE).chain(others).collect();
-        let several = fields.len() > 1 || !view.model().further.is_empty();
+        let punch = [PUNCH_FORCE].into_iter().filter(|force| works || acts(force));
+        let fields: Vec<_> = punch.chain([HOLDER_FORCE, PAD_FORCE, EDGE_FORCE].into_iter().filter(acts)).collect();
+        let several = fields.len() > 1 || !model.further.is_empty();
         let y = if several { Axis::named("Force", extent.force_unit()) } else { PUNCH_FORCE.axis(extent) };
-        (TRAVEL, y, fields)
+        (if model.travel > 0.0 { TRAVEL } else { TIME }, y, fields)
     };
     let curve = |(i, field): (usize, &Field<StepRecord>)| {
         Series::new(field.label(extent), over.against(field, steps), Style::curve(i))
     };
     let further = view.stage.further_forces().enumerate().map(|(i, (name, forces))| {
         let points = steps.iter().map(over.value).zip(forces).collect();
-        Series::new(capitalised(name), points, Style::curve(fields.len() + i))
+        Series::new(format!("{} force", capitalised(name)), points, Style::curve(fields.len() + i))
     });
-    Some(Panel::fit(over.axis(extent), y, height, 0.0).with(further).with(fields.iter().enumerate().map(curve)))
+    let travel = format!("{} travel", capitalised(model.name_of(model.worker())));
+    let x = if over.key == TRAVEL.key { Axis::named(travel, Unit::Mm) } else { over.axis(extent) };
+    Some(Panel::fit(x, y, height, 0.0).with(further).with(fields.iter().enumerate().map(curve)))
 }

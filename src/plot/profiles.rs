@@ -50,7 +50,7 @@ fn over_blank(view: &StageView, subject: &str, field: &Field<ElementRecord>, lea
         Series::new(view.progress_at(frame).to_string(), s0.against(field, &frame.elements), Style::curve(i))
     });
     let panel = Panel::fit(s0.axis(extent), field.axis(extent), HEIGHT, least).with(curves);
-    Some(Chart { legend: capitalised(view.progress()), ..view.chart(subject, vec![panel], view.frames_note()) })
+    Some(Chart { legend: capitalised(&view.progress()), ..view.chart(subject, vec![panel], view.frames_note()) })
 }
 
 pub(crate) fn strains(view: &StageView) -> Option<Chart> {

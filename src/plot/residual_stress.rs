@@ -1,9 +1,10 @@
 //! Residual stress through the thickness at a few places.
 
 use super::*;
-use crate::measure::{Band, bands};
+use crate::measure::{Band, Stretch, bands};
 use crate::plot::fields::element::{STRESS_HOOP, STRESS_MERIDIONAL};
 use crate::solver::solution::PointRecord;
+use std::ops::Range;
 
 /// Least span of a stress axis \[MPa\].
 const LEAST: f64 = 1.0;
@@ -22,23 +23,23 @@ type StressOf = fn(&PointRecord) -> f64;
 pub fn plot(view: &StageView) -> Option<Chart> {
     let (frame, elements) = released(view)?;
     let (extent, layers) = (view.extent(), &frame.through.layers);
-    let bands = bands(view.stage).into_iter().map(|stretch| (stretch.band, stretch.elements));
-    let middles = bands.map(|(band, elements)| (band, elements.start + elements.len() / 2));
-    let places: Vec<(Band, usize)> = middles.filter(|(_, element)| *element < elements.len()).collect();
+    let middle = |elements: &Range<usize>| elements.start + elements.len() / 2;
+    let places = bands(view.stage).into_iter().map(|stretch| (middle(&stretch.elements), stretch));
+    let places: Vec<(usize, Stretch)> = places.filter(|(element, _)| *element < elements.len()).collect();
     places.first()?;
     let stresses: [(_, StressOf); 2] =
         [(STRESS_MERIDIONAL, |point| point.stress_meridional), (STRESS_HOOP, |point| point.stress_hoop)];
     let panels = stresses.into_iter().enumerate().map(|(n, (field, stress))| {
-        let curves = places.iter().enumerate().map(|(i, &(band, element))| {
-            let points = frame.through.elements().nth(element).unwrap_or_default();
-            let label = format!("{}, s0 = {}", capitalised(band.name()), Amount::place(elements[element].s0));
+        let curves = places.iter().enumerate().map(|(i, (element, stretch))| {
+            let points = frame.through.elements().nth(*element).unwrap_or_default();
+            let label = format!("{}, s0 = {}", capitalised(&stretch.name), Amount::place(elements[*element].s0));
             let points = layers.iter().zip(points).map(|(layer, point)| (0.5 * layer.xi, stress(point))).collect();
             Series { label: Some(label).filter(|_| n == 0), points, style: Style::curve(i) }
         });
         Panel::fit(Axis::named(PLACE, Unit::None), field.axis(extent), HEIGHT, LEAST).with(curves)
     });
     let points = format!("{} thickness points.", layers.len());
-    let flange = places.iter().any(|(band, _)| *band == Band::Flange);
+    let flange = places.iter().any(|(_, stretch)| stretch.band == Band::Flange);
     let face = flange.then(|| "In the flange the punch's face is the holder's.".to_owned());
     Some(view.chart("stress through the thickness", panels.collect(), [Some(points), face].into_iter().flatten()))
 }

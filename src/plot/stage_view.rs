@@ -88,6 +88,11 @@ impl<'a> StageView<'a> {
         self.bars.iter().filter(|_| is_computed && amount.value != 0.0).find(is_same)?.bar
     }
 
+    /// True if gas alone drives the stage.
+    pub(crate) fn is_by_gas(&self) -> bool {
+        self.model().travel == 0.0 && !self.model().gas.is_empty()
+    }
+
     /// Model of the stage.
     pub fn model(&self) -> &'a Model {
         &self.stage.model
@@ -146,8 +151,9 @@ impl<'a> StageView<'a> {
         self.model().release.is_some() && high - low < LEVEL * least
     }
 
-    pub(super) fn progress(&self) -> &'static str {
-        self.progress_quantity().0
+    pub(super) fn progress(&self) -> String {
+        let (model, (what, ..)) = (self.model(), self.progress_quantity());
+        if model.travel > 0.0 { format!("{} {what}", model.name_of(model.worker())) } else { what.to_owned() }
     }
 
     /// Progress at a frame, with at most two decimals, more below 1.
@@ -164,7 +170,7 @@ impl<'a> StageView<'a> {
 
     fn progress_quantity(&self) -> (&'static str, Unit, fn(&Model, &Frame) -> f64) {
         match self.model() {
-            model if model.travel > 0.0 => ("punch travel", Unit::Mm, |_, frame| frame.travel),
+            model if model.travel > 0.0 => ("travel", Unit::Mm, |_, frame| frame.travel),
             model if model.release.is_some() => ("tools released", Unit::Percent, |m, f| 100.0 * f.time / m.duration),
             model if model.rate_control().is_some() => ("time", Unit::Second, |_, frame| frame.time),
             _ => ("dome height", Unit::Mm, |_, frame| frame.nodes.first().map_or(0.0, |pole| pole.z.abs())),

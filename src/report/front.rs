@@ -75,8 +75,7 @@ fn picture(report: &Report, stage: usize, file: &'static str, mut chart: Chart, 
 /// Forces of a stage, and the punch forces of the other stages over their own travel; or its pressure.
 fn forces(report: &Report, stage: usize) -> Option<FrontPicture> {
     let (view, _) = &report.stages[stage];
-    let is_by_punch = view.model().travel > 0.0;
-    let mut about = if is_by_punch { "forces over the punch travel" } else { "pressure over the height of the dome" };
+    let mut about = if view.is_by_gas() { "pressure over the height of the dome" } else { "forces over the travel" };
     let mut chart = load_travel::plot(view)?;
     let panel = chart.panels.first_mut()?;
     let forming = report.stages.iter().enumerate().filter(|(_, (view, _))| view.model().release.is_none());
@@ -84,7 +83,7 @@ fn forces(report: &Report, stage: usize) -> Option<FrontPicture> {
         let points: Vec<_> = view.stage.steps.iter().map(|step| (step.travel, step.punch_force)).collect();
         if bounds(points.iter().map(|point| point.1)).1 > 0.0 {
             panel.series.push(Series::new(report.stage(i) + "punch force", points, Style::curve(panel.series.len())));
-            about = "forces over the punch travel, and the punch forces of the other stages";
+            about = "forces over the travel, and the punch forces of the other stages";
         }
     }
     Some(picture(report, stage, "load_travel.png", chart.displayed(), about))
@@ -93,6 +92,12 @@ fn forces(report: &Report, stage: usize) -> Option<FrontPicture> {
 fn heaviest(report: &Report) -> Option<usize> {
     let peak = |i: usize, load: fn(&StepRecord) -> f64| bounds(report.stages[i].0.stage.steps.iter().map(load)).1;
     let forming = (0..report.stages.len()).filter(|i| report.stages[*i].0.model().release.is_none());
-    let loads = forming.map(|i| (i, peak(i, |step| step.punch_force), peak(i, |step| step.pressure.abs())));
+    let loads = forming.map(|i| {
+        (
+            i,
+            report.stages[i].0.stage.working_force().into_iter().fold(0.0, f64::max),
+            peak(i, |step| step.pressure.abs()),
+        )
+    });
     loads.max_by(|a, b| a.1.total_cmp(&b.1).then(a.2.total_cmp(&b.2))).map(|(i, ..)| i)
 }

@@ -12,8 +12,7 @@ const ALIKE: f64 = 1e-4;
 /// Distance that counts as none \[mm\].
 const NONE: f64 = 1e-6;
 
-/// Sizes of the blank and of every tool, the holder's load, the beads and the travel; of a later stage, which begins with
-/// the sheet of `start`, without the blank's.
+/// Sizes of blank and tools, loads, beads and travels; of a later stage, which begins with `start`, without the blank.
 pub fn dimensions(model: &Model, start: Option<&Frame>) -> Vec<Dimension> {
     let blank = &model.blank;
     let mut found = Vec::new();
@@ -28,7 +27,8 @@ pub fn dimensions(model: &Model, start: Option<&Frame>) -> Vec<Dimension> {
     for (i, tool) in model.tools.iter().enumerate() {
         let moved = start.and_then(|frame| frame.tool_displacement.get(i)).copied().unwrap_or_default();
         let outline = tool.profile.polyline(0.01);
-        let across = |name: &'static str, r: f64| {
+        let name = capitalised(model.name_of(tool.role));
+        let across = |name: &str, r: f64| {
             // The wall's end at the sheet: walls are drawn far away from it.
             let heights = outline.iter().filter(|point| (point.x - r).abs() < NONE).map(|point| point.y);
             let height = heights.min_by(|a, b| a.abs().total_cmp(&b.abs())).unwrap_or(0.0);
@@ -45,14 +45,16 @@ pub fn dimensions(model: &Model, start: Option<&Frame>) -> Vec<Dimension> {
             }
             Role::Holder => found.push(across("Holder inner", extent(tool).0)),
             Role::Pad => found.push(across("Pad", extent(tool).1)),
-            Role::Upper(_) | Role::Lower(_) => {}
+            Role::Upper(_) | Role::Lower(_) => found.push(across(&name, extent(tool).1)),
         }
-        found.extend(roundings(tool, moved));
-        found.extend(load(model, tool, moved));
-        if tool.role == Role::Punch && model.travel > 0.0 {
-            let lowest = outline.iter().map(|p| p.y).fold(f64::NEG_INFINITY, f64::max);
-            let end = Point::new(0.25 * extent(tool).1.min(blank.length), lowest + moved.y + model.travel);
-            found.push(plain("Travel", Amount::set(model.travel), end));
+        found.extend(roundings(tool, moved, &name));
+        found.extend(load(model, tool, moved, &name));
+        let travel = tool.motion.displacement(model.travel, model.travel).y;
+        if travel != 0.0 && model.travel > 0.0 {
+            let of = if tool.role == Role::Punch { "Travel".to_owned() } else { format!("{name} travel") };
+            let tip = outline.iter().map(|p| -tool.role.side() * p.y).fold(f64::NEG_INFINITY, f64::max);
+            let tip = -tool.role.side() * tip + moved.y + travel;
+            found.push(plain(&of, Amount::set(travel), Point::new(0.25 * extent(tool).1.min(blank.length), tip)));
         }
     }
     let beads = model.beads.iter().map(|bead| Point::new(bead.at, -0.5 * blank.thickness));
@@ -60,18 +62,18 @@ pub fn dimensions(model: &Model, start: Option<&Frame>) -> Vec<Dimension> {
     found
 }
 
-fn plain(of: &'static str, amount: Amount, at: Point) -> Dimension {
+fn plain(of: &str, amount: Amount, at: Point) -> Dimension {
     Dimension { name: of.into(), text: format!("{of} {amount}"), amount, at }
 }
 
-fn wide(model: &Model, of: &'static str, amount: fn(f64) -> Amount, at: Point) -> Dimension {
+fn wide(model: &Model, of: &str, amount: fn(f64) -> Amount, at: Point) -> Dimension {
     let (kind, sign) = worded(model.geometry, ("diameter", "Ø"), ("width", "width"));
     let amount = amount(2.0 * at.x);
     Dimension { name: format!("{of} {kind}"), text: format!("{of} {sign} {amount}"), amount, at }
 }
 
 /// The radii of a tool, those that are alike together; of a curve of many arcs the smallest.
-fn roundings(tool: &Tool, moved: Point) -> Vec<Dimension> {
+fn roundings(tool: &Tool, moved: Point, name: &str) -> Vec<Dimension> {
     // Arcs that are one rounding of the sheet's side come together, hollows as they are.
     let hollows = tool.profile.pieces().iter().filter_map(|piece| match piece {
         Piece::Arc(arc) if arc.sweep > 0.0 => Some(*arc),
@@ -79,7 +81,7 @@ fn roundings(tool: &Tool, moved: Point) -> Vec<Dimension> {
     });
     let mut found: Vec<(String, usize, Arc)> = Vec::new();
     for arc in tool.profile.corners().chain(hollows) {
-        let name = named(tool.role, &arc);
+        let name = format!("{name}{}", place(tool.role, &arc));
         match found.iter_mut().find(|(n, _, a)| *n == name && (a.radius / arc.radius - 1.0).abs() < ALIKE) {
             Some((_, alike, _)) => *alike += 1,
             None => found.push((name, 1, arc)),
@@ -99,9 +101,9 @@ fn roundings(tool: &Tool, moved: Point) -> Vec<Dimension> {
     found.into_iter().map(radius).collect()
 }
 
-fn named(role: Role, arc: &Arc) -> String {
+fn place(role: Role, arc: &Arc) -> &'static str {
     let on_axis = [arc.at(0.0), arc.at(1.0)].iter().any(|end| end.x.abs() < NONE);
-    let place = match (role, arc.sweep < 0.0) {
+    match (role, arc.sweep < 0.0) {
         (Role::Punch, true) if on_axis => " crown",
         (Role::Punch, true) => " nose",
         (Role::Die, true) => " shoulder",
@@ -109,22 +111,22 @@ fn named(role: Role, arc: &Arc) -> String {
         (Role::Holder, true) => "",
         (_, true) => " edge",
         (_, false) => " hollow",
-    };
-    capitalised(role.name()) + place
+    }
 }
 
-fn load(model: &Model, tool: &Tool, moved: Point) -> Option<Dimension> {
+fn load(model: &Model, tool: &Tool, moved: Point, name: &str) -> Option<Dimension> {
     let (inner, outer) = extent(tool);
     let middle = 0.5 * (inner + outer.min(model.blank.length.max(inner)));
     let (of, amount) = match &tool.motion {
-        Motion::Gap(gap) => ("Holder gap", Amount::drawn(*gap)),
-        Motion::Pressed(press) => {
-            let of = ["Punch force", "Die force", "Holder force", "Pad force", "Tool force"][tool.role.index().min(4)];
-            (of, Amount::given_force(press.force.largest(), model.extent().force_unit()))
-        }
+        Motion::Gap(gap) => ("gap", Amount::drawn(*gap)),
+        Motion::Pressed(press) => ("force", Amount::given_force(press.force.largest(), model.extent().force_unit())),
         Motion::Fixed | Motion::Travel | Motion::Path(_) | Motion::Course(_) => return None,
     };
-    Some(plain(of, amount, Point::new(middle, 0.5 * tool.role.side() * model.blank.thickness) + moved))
+    Some(plain(
+        &format!("{name} {of}"),
+        amount,
+        Point::new(middle, 0.5 * tool.role.side() * model.blank.thickness) + moved,
+    ))
 }
 
 pub(super) fn section(heading: String, model: &Model, start: Option<&Frame>, dimensions: &[Dimension]) -> Section {

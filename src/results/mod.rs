@@ -35,7 +35,7 @@ pub const OUTPUTS: &[Output] = &[
     picture("springback.png", "the section before and after release", plot::springback::plot),
     table("residual_stress.csv", "stress at every thickness point after release", tables::residual_stress),
     picture("residual_stress.png", "residual stress through the thickness", plot::residual_stress::plot),
-    picture("load_travel.png", "forces over the punch travel", plot::load_travel::plot),
+    picture("load_travel.png", "forces over the travel", plot::load_travel::plot),
     table("pressure_cycle.csv", "pressure and the strain rate it holds, over time", tables::pressure_cycle),
     picture("pressure_cycle.png", "the same, and the height of the dome", plot::pressure_cycle::plot),
     picture("thickness.png", "thickness over the blank at every kept frame, and over the part", profiles::thickness),

@@ -8,7 +8,7 @@ use crate::model::{Role, stage::Beginning, tool_sizes};
 use crate::plot::fields::step::{HOLDER_FORCE, POLE_HEIGHT, PUNCH_FORCE, THINNEST};
 use crate::plot::stop_text;
 use crate::solver::solution::{Frame, StageSolution, StepRecord, StopKind};
-use crate::table::{Column, Field, Table, Unit};
+use crate::table::{Column, Field, Table, Unit, keyed};
 use crate::units::Amount;
 
 pub(super) const FILE: &str = "stages.csv";
@@ -58,7 +58,14 @@ pub(super) fn files(results: &Results) -> Files {
     let begins = |is: fn(&Beginning) -> bool| {
         results.solution.case.stages.iter().map(|stage| f64::from(u8::from(is(&stage.begin)))).collect()
     };
-    let table = Table::new(vec![
+    let further = results.solution.case.stages.last().map_or(&[][..], |stage| &stage.model.further);
+    let further = further.iter().map(|name| {
+        let peak =
+            |stage: &StageSolution| stage.further_peaks().find(|(_, other, _)| other == name).map(|(.., peak)| peak);
+        let (key, label) = (format!("{}_force_peak", keyed(name)), format!("Largest {name} force"));
+        Column::new(key, label, extent.force_unit(), of_stage(&peak))
+    });
+    let mut columns = vec![
         Column::new("stage", "Stage", Unit::None, (1..=lines.len()).map(|i| i as f64).collect()),
         Column::new("end_time", "Time at the end", Unit::Second, at_end(&|step| step.time)),
         Column::new("travel", "Travel", Unit::Mm, at_end(&|step| step.travel)),
@@ -77,7 +84,9 @@ pub(super) fn files(results: &Results) -> Files {
         Column::new("rim_thickness", "Thickness of the rim", Unit::Mm, rims),
         Column::new("annealed", "Annealed before", Unit::None, begins(|begin| begin.anneal)),
         Column::new("turned_over", "Turned over before", Unit::None, begins(|begin| begin.turn_over)),
-    ]);
+    ];
+    columns.extend(further);
+    let table = Table::new(columns);
     let (names, stops) = lines.iter().map(|(name, stop, _)| (name.to_string(), stop.to_string())).unzip();
     vec![(FILE.to_owned(), csv_with_texts(&table, &[("name", names), ("stop", stops)]))]
 }
@@ -92,8 +101,10 @@ pub(super) fn printed(solution: &Solution) -> String {
         let [punch, end, holder] = forces.map(|force| Amount::force(force, unit));
         let [travel, edge, middle] = [last.travel, edge(stage, last), last.pole_height].map(Amount::place);
         let thin = Amount::thickness(last.thinnest);
+        let further = stage.further_peaks().map(|(_, name, peak)| (name, Amount::force(peak, unit)));
+        let further: String = further.map(|(name, peak)| format!(", {name} at most {peak}")).collect();
         Some(format!(
-            ": {time}travel {travel}, punch at most {punch} and {end} at the end, holder at most {holder}, thinnest {thin}, edge at {edge}, middle at {middle}"
+            ": {time}travel {travel}, punch at most {punch} and {end} at the end, holder at most {holder}{further}, thinnest {thin}, edge at {edge}, middle at {middle}"
         ))
     };
     let each = lines.into_iter().enumerate().map(|(i, (name, stop, stage))| {

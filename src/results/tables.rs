@@ -11,7 +11,7 @@ use crate::plot::pressure_cycle::{CONTACT_SHARE, HEIGHT, PRESSURE as GAS_PRESSUR
 use crate::plot::residual_stress::{PLACE, released};
 use crate::solver::solution::{ElementRecord, Frame, IterationRecord, PointRecord, StageSolution, StepRecord};
 use crate::solver::trace::IterationHistory;
-use crate::table::{Column, Field, JOULES, Table, Unit, worded};
+use crate::table::{Column, Field, JOULES, Table, Unit, keyed, worded};
 use crate::units::ZERO_CELSIUS;
 
 /// Columns of a step, then those of a sheet with voids, with a criterion of fracture and with a temperature.
@@ -60,7 +60,6 @@ const HEAT: [Field<StepRecord>; 5] = [
     Field::new("heat_tools", "Heat from the tools", Unit::Joule, |s| JOULES * s.heat.tools),
     Field::new("heat_stored", "Heat stored in the sheet", Unit::Joule, |s| JOULES * s.heat.stored),
 ];
-const TIME: Field<StepRecord> = Field::new("time", "Time", Unit::Second, |s| s.time);
 const CYCLE: [Field<StepRecord>; 7] = [
     TIME,
     GAS_PRESSURE,
@@ -99,8 +98,12 @@ pub fn load_travel(stage: &StageSolution) -> Table {
     let mut columns: Vec<Column> = fields.map(|field| field.column(extent, &stage.steps)).collect();
     let die = model.tool_index(Role::Die).map(|die| ("die", stage.pressing(die)));
     columns.extend(die.into_iter().chain(stage.further_forces()).map(|(name, values)| {
-        let key = name.to_lowercase().replace(|c: char| !c.is_alphanumeric(), "_");
-        Column::new(format!("{key}_force"), format!("{} force", capitalised(name)), extent.force_unit(), values)
+        Column::new(
+            format!("{}_force", keyed(name)),
+            format!("{} force", capitalised(name)),
+            extent.force_unit(),
+            values,
+        )
     }));
     columns.insert(7, edge_diameter(model.geometry, model.blank.edge_radius(), &stage.steps));
     Table::new(columns)

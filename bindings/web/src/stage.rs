@@ -27,7 +27,7 @@ pub fn json(name: &str, stage: &StageSolution, mut frames: Vec<Picture>) -> Valu
     });
     let events = events(stage)
         .into_iter()
-        .map(|event| json!({ "label": event.kind.label().to_string(), "travel": event.travel, "force": event.force }));
+        .map(|event| json!({ "label": event.kind.label(model), "travel": event.travel, "force": event.force }));
     json!({
         "name": name,
         "forceUnit": model.extent().force_unit().symbol(),

@@ -68,7 +68,8 @@ impl Lines<'_> {
         if model.travel > 0.0 {
             let peak = run.steps.iter().copied().max_by(|a, b| a.punch_force.total_cmp(&b.punch_force));
             let peak = peak.unwrap_or_default();
-            self.number("travel", "Punch travel reached", Amount::place(last.travel));
+            let worker = model.name_of(model.worker());
+            self.number("travel", &format!("{} travel reached", capitalised(worker)), Amount::place(last.travel));
             self.number("peak_punch_force", "Peak punch force", self.force(peak.punch_force));
             self.number("peak_travel", "  at a travel of", Amount::place(peak.travel));
         }
@@ -91,7 +92,7 @@ impl Lines<'_> {
         }
         let touching = Some(last.contact_share).filter(|share| *share > 0.0);
         self.number("contact_share", "Sheet on punch and die at the end", touching.map(Amount::share));
-        self.add("events", "Events", Value::events(&events(run), model.extent().force_unit()));
+        self.add("events", "Events", Value::events(run));
     }
 
     fn part(&mut self) {
@@ -191,6 +192,9 @@ impl Lines<'_> {
         self.number("sharpest_bend", "Smallest bending radius", Amount::thicknesses(radius));
         let pad = model.tool(Role::Pad).filter(|_| model.release.is_none());
         self.number("peak_pad_force", "Largest pad force", pad.map(|_| self.force(largest(run, |s| s.pad_force))));
+        if !model.further.is_empty() && model.release.is_none() {
+            self.add("further_tools", "Further tools", Value::further(run));
+        }
         if model.tool(Role::Holder).is_none() || model.release.is_some() {
             return;
         }

@@ -3,11 +3,11 @@
 mod lines;
 
 use super::{StageView, stages, tables};
-use crate::assess::{Kind, draws, holder_lift, largest, sentences};
+use crate::assess::{Kind, check, draws, holder_lift, largest, sentences};
 use crate::case::{Solution, files::sha256};
 use crate::measure::{Change, Event, Shape, events, moment_error, part_height, thickest};
 use crate::model::{Extent, Grading, Mode, Model, Role, Theory};
-use crate::plot::stop_text;
+use crate::plot::{axis::capitalised, stop_text};
 use crate::solver::solution::{StageSolution, StepRecord, StopKind};
 use crate::table::{JOULES, Unit, worded};
 use crate::units::{Amount, Digits, ZERO_CELSIUS, joined, rounded};
@@ -111,23 +111,37 @@ impl Value {
     }
 
     /// `44.1 mm, 48.3 kN: rim meets the die`; the time in place of travel and force where a gas works.
-    fn events(events: &[Event], force: Unit) -> Self {
+    fn events(run: &StageSolution) -> Self {
+        let (events, force) = (events(run), run.model.extent().force_unit());
         let row = |event: &Event| {
             let (travel, load) = (Amount::place(event.travel), Amount::force(event.force, force));
             let at =
                 if event.travel == 0.0 { Amount::time(event.time).to_string() } else { format!("{travel}, {load}") };
-            [String::new(), format!("{at}: {}", event.kind.label())]
+            [String::new(), format!("{at}: {}", event.kind.label(&run.model))]
         };
         let entry = |event: &Event| {
             json!({
-                "key": event.kind.key(),
-                "what": event.kind.label(),
+                "key": event.kind.key(&run.model),
+                "what": event.kind.label(&run.model),
                 Unit::Mm.keyed("travel"): rounded(event.travel),
                 Unit::Second.keyed("time"): rounded(event.time),
                 force.keyed("punch_force"): rounded(event.force),
             })
         };
         Self::Rows(events.iter().map(row).collect(), events.iter().map(entry).collect())
+    }
+
+    /// `coin: 2.0 kN at most; Ø 24 mm above, goes 4 mm by its path, R 4 mm (4.0 t), friction 0.1`
+    fn further(run: &StageSolution) -> Self {
+        let unit = run.model.extent().force_unit();
+        let line = |(tool, _, peak)| {
+            let check::Line { label, value, meaning, .. } = check::of_tool(&run.model, tool);
+            let text = format!("{label}: {} at most; {value} {meaning}", Amount::force(peak, unit));
+            let peak = (unit.keyed("peak_force"), rounded(peak));
+            ([String::new(), text], json!({ "name": label, "size": value, "about": meaning, peak.0: peak.1 }))
+        };
+        let (rows, tools): (_, Vec<Json>) = run.further_peaks().map(line).unzip();
+        Self::Rows(rows, tools.into())
     }
 
     /// `Wall to the punch direction  0.3° → 8.2° (+7.9°)`

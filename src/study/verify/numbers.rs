@@ -72,7 +72,7 @@ impl Outcome {
             complete: stages.len() == case.stages.len() && stop.is_none_or(Stop::is_complete),
             lost: stop.is_some_and(|stop| !stop.is_complete() && !stop.is_physical()),
         };
-        let load = largest_force(stages).map_or(&[][..], |(i, _)| &stages[i].steps);
+        let load = largest_force(stages).map_or(&[][..], |(i, ..)| &stages[i].steps);
         let frame = stages.last().and_then(|stage| stage.frames.last());
         let elements = frame.into_iter().flat_map(|frame| &frame.elements);
         Self {
@@ -131,7 +131,7 @@ fn part(stages: &[StageSolution]) -> Vec<Number> {
     };
     let mut numbers = Vec::new();
     let Some(stage) = stages.last() else { return numbers };
-    if let Some((i, peak)) = largest_force(stages) {
+    if let Some((i, peak, _)) = largest_force(stages) {
         let (steps, model) = (&stages[i].steps, &stages[i].model);
         numbers.push(place("peak_travel", "Travel at the peak", peak.travel));
         let half = 0.5 * model.travel;
