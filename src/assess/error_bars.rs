@@ -1,6 +1,6 @@
 //! Error bars of a verified case: on its numbers, and on the lights of its verdict.
 
-use super::{tear::REMEDY, *};
+use super::{tear::remedy, *};
 
 const RUN: &str = "stop";
 /// Contributions in text: the largest, each at least this share of the bar \[–\].
@@ -126,12 +126,14 @@ pub fn answered(solution: &Solution, bars: Option<&ErrorBars>) -> (Answer, Vec<F
 pub fn weighed(solution: &Solution, findings: Vec<Finding>, bars: Option<&ErrorBars>) -> (Answer, Vec<Finding>) {
     let Solution { case, stages, .. } = solution;
     let Some(bars) = bars else { return (Answer::of(case, stages, &findings), findings) };
-    let findings = bars.weigh(findings);
+    let findings = bars.weigh(case.model(), findings);
     let mut answer = Answer::of(case, stages, &findings);
     for number in &mut answer.numbers {
         let error = bars.error(Origin::Answer, number.key, "given, not computed");
         let loaded = match error {
-            ErrorBar::Half(half) if number.key == "punch_force" => answer::load(case, stages, half),
+            ErrorBar::Half(half) if ["punch_force", "tool_force"].contains(&number.key) => {
+                answer::load(case, stages, half)
+            }
             _ => None,
         };
         *number = loaded.unwrap_or_else(|| number.clone()).with_error(error);
@@ -154,7 +156,7 @@ impl ErrorBars {
     }
 
     /// Findings with their bars: a light is green only if the whole bar is.
-    pub fn weigh(&self, mut findings: Vec<Finding>) -> Vec<Finding> {
+    pub fn weigh(&self, model: &Model, mut findings: Vec<Finding>) -> Vec<Finding> {
         for finding in &mut findings {
             let clause = self.clause(finding);
             let error = self.error(Origin::Verdict, finding.key, "not estimated: it judges the solution, not the part");
@@ -163,7 +165,7 @@ impl ErrorBars {
                 finding.text = joined([format!("{clause}: {}", finding.text), self.finer(finding.key)], "; ");
                 finding.advice = match finding.key {
                     RUN => "take the worse end as the true one, or refine until all runs end alike".into(),
-                    "tearing" => REMEDY.into(),
+                    "tearing" => remedy(model).into(),
                     _ => std::mem::take(&mut finding.advice),
                 };
                 finding.light = finding.light.max(Light::Amber);
@@ -189,9 +191,10 @@ impl ErrorBars {
     }
 
     /// Sentences on rows of the verdict whose bar reaches a worse light.
-    pub fn moved(&self, findings: &[Finding]) -> Vec<String> {
-        let weighed = self.weigh(findings.to_vec());
-        let moved = weighed.iter().zip(findings).filter(|(after, before)| after.text != before.text);
+    pub fn moved(&self, Solution { case, stages, .. }: &Solution) -> Vec<String> {
+        let findings = after(case, stages);
+        let weighed = self.weigh(case.model(), findings.clone());
+        let moved = weighed.iter().zip(&findings).filter(|(after, before)| after.text != before.text);
         moved.map(|(after, _)| format!("{}: {}", after.label, after.statement())).collect()
     }
 

@@ -52,7 +52,15 @@ pub(super) fn localisation(run: &Run) -> Option<Finding> {
 /// Tearing index from which scatter of sheet and friction may tear it, and at which it tears \[–\].
 pub(super) const TEARING: [f64; 2] = [0.9, 1.0];
 
-pub(super) const REMEDY: &str = "one draw more, larger radii, or less friction of die and holder";
+/// Change after which a part is pulled less: of a draw, of another part under a holder, or of one without.
+pub(super) fn remedy(model: &Model) -> &'static str {
+    match (estimate::draw_ratio(model), model.tool(Role::Holder)) {
+        (Some(_), Some(_)) => "one draw more, larger radii, or less friction of die and holder",
+        (Some(_), None) => "one draw more, larger radii, or less friction of the die",
+        (None, Some(_)) => "less holder force, larger radii, or less friction of die and holder",
+        (None, None) => "a shallower part, larger radii, or less friction",
+    }
+}
 
 /// Largest meridional force of all stages over the one at which the place tears; see `solver::tearing_index`.
 ///
@@ -75,7 +83,7 @@ pub(super) fn tearing(run: &Run) -> Option<Finding> {
     let [near, tears] = TEARING.map(|limit| 100.0 * limit);
     let near = if model.blank.edge == Edge::Free { near } else { tears };
     let judged = Finding::judged("tearing", "Tearing", run.of_stage(text, i)).number(Amount::share(step.tearing_index));
-    let judged = judged.at_most(near, tears).advice(REMEDY);
+    let judged = judged.at_most(near, tears).advice(remedy(run.case.model()));
     let judged = judged.source("Considère in plane strain, bent over the punch; 90 %: declared");
     (step.tearing_index > 0.0).then_some(judged)
 }

@@ -32,7 +32,7 @@ fn one(args: &Args, progress: &Progress, case: Case) -> Result<Output> {
     let seconds = start.elapsed().as_secs_f64();
     let written = path.iter().map(|path| write(path, &verification.csv()).map_err(Into::into));
     let failed: Vec<anyhow::Error> = written.filter_map(Result::err).collect();
-    let moved = verification.bars.moved(&assess::after(&solution.case, &solution.stages));
+    let moved = verification.bars.moved(&solution);
     let code = if solution.is_complete() { Code::Done } else { Code::StoppedEarly };
     if args.common.json() {
         let own = json!({ "case": solution.case.name, "seconds": seconds, "lights": moved, "file": path });
