@@ -11,8 +11,7 @@ use crate::units::{Amount, Unit, rounded, significant};
 use std::f64::consts::FRAC_PI_2;
 use std::sync::{Mutex, PoisonError};
 
-/// Elements on a quarter of the smaller radius, their greatest length over the thickness \[–\], and most elements: with half the
-/// length the restraint changes by 2 %.
+/// Elements on a quarter of the smaller radius, their greatest length over the thickness \[–\], and most elements.
 const PER_QUARTER: f64 = 12.0;
 const LONGEST: f64 = 0.65;
 const ELEMENTS: usize = 600;
@@ -63,8 +62,7 @@ fn widths(bead: &Round, t: f64) -> (f64, [f64; 3]) {
     (turn, [half, wall, wall + bead.shoulder])
 }
 
-/// Sections of die and holder up to `end` with the bead at `at` \[mm\], its tip below the flat sheet of thickness `t`; the groove is
-/// so deep that the sheet does not come to its bottom.
+/// Sections of die and holder up to `end`, the bead at `at` \[mm\], its groove so deep that the sheet is off its bottom.
 fn sections(bead: &Round, t: f64, at: f64, end: f64) -> [Profile; 2] {
     let (turn, [half, wall, edge]) = widths(bead, t);
     let line = |from: [f64; 2], to: [f64; 2]| Piece::line(from.into(), to.into());

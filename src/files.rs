@@ -22,8 +22,7 @@ pub fn sha256(parts: impl IntoIterator<Item = impl AsRef<[u8]>>) -> String {
 
 /// Files by their paths.
 pub trait Files {
-    /// Bytes of a file, of `limit` at most.
-    /// Fails when there is no such file, it is a folder, a pipe or a device, or it is larger.
+    /// Bytes of a file, of `limit` at most. Fails when there is no such file, it is a folder, pipe or device, or larger.
     fn read(&self, path: &Path, limit: usize) -> io::Result<Vec<u8>>;
 
     /// Text of a file. Fails as [`Files::read`], and when it is not UTF-8.

@@ -99,9 +99,7 @@ pub fn tensile_strength(material: &Material) -> f64 {
 
 /// Holder pressure against wrinkles after Siebel \[MPa\]: p = 0.0025 [(β − 1)² + 0.5 d/(100 t)] R_m.
 ///
-/// # References
-/// 4ming, "Blankholder pressure", equation 1, after H. Kugler, Umformtechnik, Hanser (2009): for steel on steel with drawing
-/// oil.
+/// Source: 4ming, "Blankholder pressure", equation 1, after H. Kugler, Umformtechnik (2009): for steel on steel with oil.
 pub fn siebel(beta: f64, diameter: f64, thickness: f64, strength: f64) -> f64 {
     0.0025 * ((beta - 1.0).powi(2) + 0.5 * diameter / (100.0 * thickness)) * strength
 }
@@ -201,8 +199,7 @@ pub fn blank_of(area: f64) -> f64 {
     (area / PI).sqrt()
 }
 
-/// Travel at which the rim of a cup of this height with its trim stands a shoulder's radius and two thicknesses behind the
-/// die's shoulder: with larger radii it gets through too.
+/// Travel at which the rim of a cup of this height, trim included, is a radius and 2 t behind the die's shoulder.
 pub fn drawn_travel(height: f64, shoulder: f64, thickness: f64) -> Picked {
     let why = "at most: it ends when the rim is through the die's shoulder";
     Picked::up(height + 2.0 * (shoulder + thickness), 0.1, why)

@@ -130,8 +130,7 @@ pub fn profile_text(start: Point, steps: &[Step], length: fn(f64) -> String) -> 
     format!("[\n    {{ from = {} }},\n{}]", point(&start), steps.iter().map(step).collect::<String>())
 }
 
-/// Punch as TOML with its wall, corner and depth of the wall, a hollow (radius at half its depth, and that depth) and the slope
-/// there: radius of its bends and width, all \[mm\].
+/// Punch as TOML by wall, corner and depth, hollow (radius at half depth, depth) and slope (radius, width), all \[mm\].
 pub fn recessed_punch([wall, nose, end]: [f64; 3], [at, depth]: [f64; 2], [bend, width]: [f64; 2]) -> String {
     let [from, to, flat] = [at - 0.5 * width, at + 0.5 * width, wall - nose];
     let arc = |x: f64, y: f64, center: [f64; 2], left: bool| (Point::new(x, y), Some((Point::from(center), left)));

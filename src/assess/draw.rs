@@ -107,8 +107,7 @@ pub(super) fn wrinkling(run: &Run) -> Option<Finding> {
     })
 }
 
-/// Wall that hangs free between nose and shoulder or round a dome, or is redrawn without a sleeve: it may pucker, and no index
-/// here says whether.
+/// Wall that hangs free or is redrawn without a sleeve: it may pucker, and no index here says whether.
 pub(super) fn wall_wrinkles(run: &Run) -> Option<Finding> {
     let first = run.stages.first()?;
     let (is_redrawn, is_flat) = (first.model.blank.preform.is_some(), first.model.blank.meridian.is_none());

@@ -37,8 +37,7 @@ pub(super) fn crushing(model: &Model) -> Option<Finding> {
     warning.at_most(strength, None).limit(limit).advice("check its force").if_beyond()
 }
 
-/// Lift of a pressed holder until the flange runs out, six thicknesses wide \[mm\]. A narrower flange no longer buckles,
-/// and its rim tilts as it goes over the shoulder.
+/// Lift of a pressed holder \[mm\] until the flange, six thicknesses wide, no longer buckles and tilts at the shoulder.
 pub fn holder_lift(stage: &StageSolution) -> Option<f64> {
     let model = &stage.model;
     model.tool(Role::Holder).filter(|holder| is_pressed(holder, true) && model.release.is_none())?;

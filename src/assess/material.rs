@@ -14,8 +14,7 @@ const FAR: f64 = 0.5;
 const NEAR_ENOUGH: f64 = 10.0;
 /// r̄ below which Hill's condition of 1948 is softer in biaxial stretching than aluminium \[–\].
 const LEAST_R: f64 = 0.8;
-/// r̄ above which Hill's condition makes walls and domes too strong: limiting draw ratios of 2.5 to 2.7 at r̄ 1.6 to 2, where
-/// Hosford's with exponent 6 has 2.3 to 2.4 \[–\].
+/// r̄ above which Hill's condition is too strong: limiting draw ratios of 2.5 to 2.7, where Hosford has 2.3 to 2.4 \[–\].
 const MOST_R: f64 = 1.3;
 const OWN: &str = "the case's material";
 

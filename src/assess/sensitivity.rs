@@ -29,8 +29,7 @@ fn largest_coefficient(model: &Model) -> Option<f64> {
 /// Row of the verdict that a changed case judges, and the change.
 pub type Neighbour = (&'static str, String);
 
-/// Cases with less and more friction on every tool, at least 0 and at most 1, and one that hardens less beyond the range of
-/// its law's fit where a verdict uses it there.
+/// Cases with less and more friction on every tool, and one that hardens less beyond a range of fit that matters.
 pub fn neighbours(case: &Case, findings: &[Finding]) -> Vec<(Neighbour, Case)> {
     let changed = |change: &dyn Fn(&mut Model)| {
         let mut case = case.clone();

@@ -1,5 +1,4 @@
-//! Sizes that hardly fit a stamping: a unit is wrong, or a diameter stands where a radius is asked for. The limits are
-//! declared rules of thumb.
+//! Sizes that hardly fit a stamping: a wrong unit, or a diameter as a radius. The limits are declared rules of thumb.
 
 use super::*;
 use crate::assess::estimate::draw_ratio;
@@ -11,8 +10,7 @@ use std::ops::RangeInclusive;
 pub const THICKNESSES: RangeInclusive<f64> = 0.2..=6.0;
 /// Width of a blank over its thickness \[–\].
 const SLENDER: f64 = 3000.0;
-/// Draw ratio from which on the blank's radius may be its diameter \[–\]: half of it is still drawn, and the whole is beyond
-/// what one draw of any sheet reaches.
+/// Draw ratio from which on the blank's radius may be its diameter \[–\]: beyond what one draw of any sheet reaches.
 const TWICE: f64 = 1.2 * LIMITING_RATIO;
 /// Gap between punch and die over the thickness that half of the throat would leave \[–\].
 const CLEARANCES: RangeInclusive<f64> = 0.9..=3.0;

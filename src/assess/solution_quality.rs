@@ -91,8 +91,7 @@ const YIELDED: f64 = 1e-4;
 /// Share of the sheet that is reported \[–\].
 const LEAST: f64 = 1e-3;
 
-/// Share of the sheet's volume that yields again as the tools are taken away; with elasticity alone, where the remaining
-/// stress exceeds the yield stress.
+/// Share of the volume that yields again after release; with elasticity alone, whose stress exceeds the yield stress.
 pub(super) fn yields_again(stage: &StageSolution) -> Option<Finding> {
     let (model, end) = (&stage.model, &stage.end);
     model.release?;

@@ -5,11 +5,9 @@ use crate::case::Springback;
 use crate::material::chaboche::shifting;
 use crate::measure::{Change, EDGE, FLANGE_ANGLE, OPENING_ANGLE, Shape, WALL_ANGLE, changes};
 
-/// Share of a tolerance above which the scatter of sheet and process may use the rest: from coil to coil spring-back varies by
-/// a fifth and more \[–\].
+/// Share of a tolerance that leaves room for scatter: from coil to coil spring-back varies by a fifth and more \[–\].
 const NEAR: f64 = 0.8;
-/// A wall that leans by less from the punch's straight wall was drawn against it \[°\]; a strip that is bent in air leans by
-/// tens of degrees.
+/// A wall that leans less from the punch's was drawn against it \[°\]; a strip bent in air leans by tens of degrees.
 const BESIDE: f64 = 8.0;
 /// Further measures of the row: what Numisheet '93 has, and the flange.
 const MEASURES: [&str; 4] = ["bottom_to_wall", "wall_to_flange", "curl_radius", FLANGE_ANGLE.key];
@@ -24,8 +22,7 @@ struct Judged<'a> {
     tolerance: f64,
 }
 
-/// Part after its tools are taken away, against its tolerances; plane sections of the flow law, without elasticity, are not
-/// judged.
+/// Released part against its tolerances; plane sections of the flow law, without elasticity, are not judged.
 pub(super) fn judge(run: &Run) -> Option<Finding> {
     let last = run.stages.last()?;
     let limits = &run.case.springback;
@@ -62,8 +59,7 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     Some(finding.source(source).advice(advice(run, &judged, wall)))
 }
 
-/// Over-bend of the tools by one step of a fixed point, their angle less the error; and a search by runs.
-/// The walls' error turns the flange too: its own is only a step once the walls are right.
+/// Over-bend of the tools by one step, their angle less the error; and a search by runs, for walls before flanges.
 fn advice(run: &Run, judged: &[Judged], wall: Option<f64>) -> String {
     let is_held = run.case.model().tool(Role::Holder).is_some();
     let off = |keys: &[&str]| judged.iter().find(|one| keys.contains(&one.change.quantity.key) && one.used() > NEAR);

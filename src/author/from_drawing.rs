@@ -57,8 +57,7 @@ pub struct Imported {
 }
 
 impl Import {
-    /// Makes a case of the bytes of a DXF file.
-    /// Fails when the drawing cannot be read, the sheet is unknown, or the tools make no case.
+    /// Makes a case of the bytes of a DXF file. Fails on an unreadable drawing, an unknown sheet, or tools of no case.
     pub fn read(&self, bytes: &[u8], drawing: &Path) -> Result<Imported> {
         let sections = import::read(bytes, &self.options)?;
         let sheet = self.material.as_deref().map(library::material).transpose().map_err(refused)?;

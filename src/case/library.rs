@@ -31,8 +31,7 @@ fn texts() -> Result<impl Iterator<Item = SheetText>> {
 pub struct Description {
     /// Description in one line.
     pub title: String,
-    /// Grade of `reference_data/sources.toml`: A, read in the named source; B, read where that is quoted; C, the hardening is
-    /// assumed.
+    /// Grade of `reference_data/sources.toml`: A, read in the named source; B, quoted; C, the hardening is assumed.
     pub grade: String,
     /// Terms of use of the numbers.
     pub licence: String,
@@ -190,8 +189,7 @@ impl Entry {
         Some(self.material.hardening.at(strain).stress * (-strain).exp())
     }
 
-    /// Uniform elongation, the change of length over the initial one at Considère's load maximum \[–\]; `None` if the law
-    /// has none.
+    /// Uniform elongation, engineering strain at Considère's load maximum \[–\]; `None` if the law has none.
     pub fn uniform_elongation(&self) -> Option<f64> {
         Some(self.n()?.exp_m1())
     }
@@ -207,8 +205,7 @@ pub fn names() -> impl Iterator<Item = &'static str> {
     texts().into_iter().flatten().map(|text| text.name)
 }
 
-/// Returns the material of a name, of a grade that it stands for, or whose name alone begins so.
-/// Fails when there is none or more than one; the error proposes the nearest.
+/// Material of a name, a grade or a unique prefix. Fails when there is none or several; the error proposes the nearest.
 pub fn material(name: &str) -> Result<Entry> {
     Ok(find(name, None)?.0)
 }

@@ -106,16 +106,14 @@ impl Case {
     }
 }
 
-/// Reads a case file from the disk and applies overrides such as `tools.punch.friction=0.1` or `blank.thickness=0.9 mm`.
-/// Fails when the file cannot be read, or as [`parse`].
+/// Reads a case file with overrides such as `tools.punch.friction=0.1`. Fails when it cannot be read, or as [`parse`].
 pub fn load(path: impl AsRef<Path>, overrides: &[String]) -> Result<Case> {
     let path = path.as_ref();
     let text = Disk.text(path, files::CASE).map_err(|error| CaseError::unreadable(path, &error))?;
     parse(&text, &path.to_string_lossy(), overrides)
 }
 
-/// Reads a case from text; `name` is the path that messages show and that reference curves, profiles and temperatures are
-/// looked up from, on the disk.
+/// Reads a case from text; `name` is the path that messages show and beside which files are looked up on the disk.
 ///
 /// An override is `KEY=VALUE`: a dotted path of keys (array entries by index, from 0) and a TOML value; what is not a
 /// TOML value is taken as text. Optional tables such as `solver`, `output`, `press` and `forming_limit` are made when they are missing.
@@ -124,8 +122,7 @@ pub fn parse(text: &str, name: &str, overrides: &[String]) -> Result<Case> {
     parse_with(text, name, overrides, &Disk)
 }
 
-/// Reads a case from text as [`parse`], the files beside it from elsewhere. All that a case needs is read here.
-/// Fails as [`parse`].
+/// Reads all of a case from text as [`parse`], the files beside it from elsewhere. Fails as [`parse`].
 pub fn parse_with(text: &str, name: &str, overrides: &[String], files: &dyn Files) -> Result<Case> {
     let path = PathBuf::from(name);
     if text.len() > files::CASE {

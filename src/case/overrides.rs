@@ -51,8 +51,7 @@ pub(crate) fn apply(text: &str, overrides: &[String]) -> Result<String> {
     Ok(document.to_string())
 }
 
-/// An override of all tables of one table at once, `tools.*.friction=0.1`, for each of them; `friction=0.1` is that of every
-/// tool, `strength=1.05` and `coil=weak` those of the material.
+/// Overrides of every table in one, `tools.*.friction=0.1`; `friction` is of every tool, `strength`, `coil` of the metal.
 fn spread(document: &DocumentMut, written: &str) -> Vec<String> {
     let Some((path, value)) = written.split_once('=') else { return vec![written.to_owned()] };
     let path = match path.trim() {

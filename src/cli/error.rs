@@ -89,8 +89,7 @@ fn as_json(error: &anyhow::Error) -> Value {
 
 static INTERRUPTED: LazyLock<Arc<AtomicBool>> = LazyLock::new(Arc::default);
 
-/// Installs the handlers of Ctrl-C and SIGTERM: the first ends the runs, the second the program. SIGHUP, which a terminal
-/// that closes may send twice, ends the runs only.
+/// Installs the handlers of Ctrl-C and SIGTERM: the first ends the runs, the second the program; SIGHUP the runs only.
 pub fn listen() -> Result<()> {
     #[cfg(windows)]
     ctrlc::set_handler(|| {

@@ -11,9 +11,7 @@
 //!
 //! A thickness point sits at ζ from the mid-surface along −n, n = (−sin φ, cos φ): then ε(ζ) = ε + ζ κ in both directions.
 //!
-//! # References
-//! Oñate, Agelet de Saracibar, Int. J. Num. Meth. Engng. 30 (1990) 1577–1593; Zienkiewicz, Taylor,
-//! The Finite Element Method (1989).
+//! Source: Oñate, Agelet de Saracibar, Int. J. Num. Meth. Engng. 30 (1990) 1577; Zienkiewicz, Taylor, FEM (1989).
 
 use super::surface::{STATIONS, stations};
 use super::{Geometry, Node, Theory, Vector6};

@@ -14,11 +14,9 @@ pub struct Section<'a, L> {
     pub law: &'a L,
     /// Points through the thickness; a membrane has one, in the middle.
     pub rule: &'a [ThicknessPoint],
-    /// Least tension of a membrane over its yield force \[–\], in the matrix only: a flat membrane has no transverse stiffness
-    /// before its first stretch.
+    /// Least tension of a membrane over its yield force \[–\], in the matrix only: a flat one has no transverse stiffness.
     pub slack_tension: f64,
-    /// Largest move of a node in the last iteration \[mm\]: that tension is no more than what a turn by it stretches; infinite
-    /// for a rigid-plastic sheet.
+    /// Largest move of a node in the last iteration \[mm\], which bounds that tension; infinite for a rigid-plastic sheet.
     pub last_move: f64,
     /// True if the matrix is left out.
     pub forces_alone: bool,
@@ -32,8 +30,7 @@ fn resultants(zeta: f64, v: f64, stress: Triple) -> Generalised {
     [s, t, zeta * s, zeta * t, shear].into()
 }
 
-/// Adds the lower triangle of C of a point at ζ that acts on the volume `v`, in the middle of a part of the thickness of
-/// 2 `half`.
+/// Adds the lower triangle of C of a point at ζ with the volume `v`, in the middle of 2 `half` of the thickness.
 fn add_point(c: &mut Matrix5, zeta: f64, half: f64, v: f64, tangent: &Tangent) {
     let [ss, st, tt, sg, tg, gg] = tangent.own.map(|entry| v * entry);
     let (own, coupling) = ([ss, st, tt], tangent.coupling.map(|entry| v * half * entry));

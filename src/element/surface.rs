@@ -4,11 +4,9 @@
 //! x(ξ) = ½(1−ξ) x₁ + ½(1+ξ) x₂ − ⅛(1−ξ²)(θ₂ − θ₁) n l,   n l = (−Δz, Δr)
 //! ```
 //!
-//! The nodes' rotations bow it: a chord of 1.1 mm sags from an arc of 25 mm by 6 µm, more than the contact penalty's foot.
-//! The bow's slope vanishes in the middle, where the strains are taken.
+//! The nodes' rotations bow it: a chord of 1.1 mm sags 6 µm from an arc of 25 mm; the bow is level in its middle.
 //!
-//! # References
-//! Linked interpolation of Mindlin beams: O. C. Zienkiewicz, R. L. Taylor, The Finite Element Method, vol. 2.
+//! Source: Linked interpolation of Mindlin beams: O. C. Zienkiewicz, R. L. Taylor, The Finite Element Method, vol. 2.
 
 use super::{Node, Vector6, kinematics::Matrix6};
 use crate::geometry::Point;

@@ -9,8 +9,7 @@
 //! Several stages have numbers before the names: `OP10_PUNCH`, `OP20_PUNCH`. A stage without a new tool draws its sheet alone.
 //!
 //! # Frame
-//! x = r is the distance from the axis, and y = z goes the way the punch moves: a punch is below the sheet. Lengths are in mm
-//! until they are written.
+//! x = r is the distance from the axis, y = z goes the way the punch moves from below. Lengths are in mm until written.
 
 mod dxf;
 

@@ -16,8 +16,7 @@ use crate::numerics::bisect;
 const LARGEST: f64 = 3.0;
 const STEP: f64 = 1e-3;
 
-/// Strain at which the force of a tension test is largest, where σ' = σ (A. Considère, 1885) \[–\]: n of a power law.
-/// Fails when the law has no maximum of the force, or begins with it.
+/// Strain of the largest tension force, σ' = σ (A. Considère, 1885) \[–\]. Fails without a maximum.
 pub fn uniform_strain(sheet: &Sheet) -> Result<f64, LawError> {
     limit(sheet, None, 1.0)
 }
@@ -60,8 +59,7 @@ impl Proportional {
     }
 }
 
-/// Ratios from tension to plane strain in `left` intervals, and to equi-biaxial stretching in `right` ones unless the yield
-/// condition [overrates](overrates_biaxial) it, ends included.
+/// Ratios from tension to plane strain, and to equi-biaxial stretching unless that is [overrated](overrates_biaxial).
 pub(super) fn ratios(criterion: YieldCriterion, left: usize, right: usize) -> impl Iterator<Item = f64> {
     let right = if overrates_biaxial(criterion) { 0 } else { right };
     // β of uniaxial tension, by the meaning of r̄.
@@ -72,8 +70,7 @@ pub(super) fn ratios(criterion: YieldCriterion, left: usize, right: usize) -> im
 
 /// Hill's localised necking: a neck along the line that does not stretch, where σ_y'/σ_y = (1 + β) dε₁/dε̄.
 ///
-/// For a power law ε₁ + ε₂ = n. With β > 0 no line of the sheet keeps its length: there the curve goes on as
-/// [`Swift`]'s, which meets it in plane strain.
+/// For a power law ε₁ + ε₂ = n. With β > 0 the curve goes on as [`Swift`]'s, which meets it in plane strain.
 ///
 /// # References
 /// R. Hill, On discontinuous plastic states, with special reference to localized necking in thin sheets, J. Mech. Phys.
@@ -103,9 +100,7 @@ impl Hill {
 ///
 /// For a power law of the isotropic sheet ε₁ = n in tension, in plane strain and in equi-biaxial stretching: a lower bound.
 ///
-/// # References
-/// H. W. Swift, Plastic instability under plane stress, J. Mech. Phys. Solids 1 (1952) 1–18 (not read; derived here from the
-/// two forces).
+/// Source: H. W. Swift, J. Mech. Phys. Solids 1 (1952) 1–18 (not read; derived here from the two forces).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Swift {
     /// Exponent of a power law in place of the sheet's own \[–\].

@@ -1,5 +1,4 @@
-//! The empirical curve of steels, of Keeler and Brazier: a point at plane strain from thickness and hardening exponent, and
-//! a fixed shape.
+//! Keeler and Brazier's empirical curve of steels: a point at plane strain by thickness and exponent, and a fixed shape.
 //!
 //! ```text
 //! FLC₀ = (23.3 + 14.13 t) n/0.21   engineering strain in percent, t in mm, n at most 0.21

@@ -9,8 +9,7 @@
 //!
 //! # References
 //! Z. Marciniak, K. Kuczyński, Int. J. Mech. Sci. 9 (1967) 609–620; Z. Marciniak, K. Kuczyński, T. Pokora, Int. J. Mech. Sci.
-//! 15 (1973) 789–805; J. W. Hutchinson, K. W. Neale, Sheet necking, in: Mechanics of Sheet Metal Forming (1978) 127–153 (all
-//! not read; the equations are derived beside this).
+//! 15 (1973) 789–805; J. W. Hutchinson, K. W. Neale, Sheet necking (1978) 127–153 (not read; derived beside this).
 
 use super::instability::{Proportional, ratios, uniform_strain};
 use super::*;
@@ -59,8 +58,7 @@ impl MarciniakKuczynski {
     pub const CRITICAL: f64 = 10.0;
     /// Largest equivalent strain that is searched \[–\].
     pub const LARGEST: f64 = 4.0;
-    /// First step of equivalent strain over the uniform strain \[–\], at most [`Self::STEP`], halved up to so many times until
-    /// two answers agree to [`Self::AGREEMENT`] of the limit \[–\].
+    /// First step over the uniform strain \[–\], at most [`Self::STEP`], halved until two answers agree.
     const SHARE: f64 = 0.02;
     const STEP: f64 = 4e-3;
     const HALVINGS: i32 = 7;
@@ -92,9 +90,7 @@ impl MarciniakKuczynski {
         Ok(Curve::new("Marciniak-Kuczyński", points, vec![note])?.computed(sheet))
     }
 
-    /// The limit of a strain ratio β, converged in the step.
-    /// Fails when no groove necks below [`Self::LARGEST`], the integration fails, or the answer does not settle as its step is
-    /// halved.
+    /// Limit of a strain ratio β. Fails when no groove necks below [`Self::LARGEST`], or the integration does not settle.
     pub fn limit(&self, sheet: &Sheet, beta: f64) -> Result<Limit, LawError> {
         let angle = if beta < 0.0 { self.worst_angle(sheet, beta)? } else { 0.0 };
         let path = Proportional::new(sheet.material.yield_criterion, beta);

@@ -1,7 +1,6 @@
 //! Forming limits: the major strain at which a sheet necks, over the minor strain, and what a run makes of it.
 //!
-//! Strains are logarithmic and of the mid-surface: those of the membrane. A sheet that is bent over a sharp radius is
-//! strained more on its outer face than a curve of membrane strains knows.
+//! Strains are logarithmic, of the mid-surface: over a sharp radius the outer face is strained more.
 //!
 //! ```text
 //! ε₁ ≥ ε₂   principal strains in the plane of the sheet: meridional and hoop, whichever is larger first
@@ -51,8 +50,7 @@ impl Sheet<'_> {
 ///
 /// # References
 /// That aluminium is stronger: J. Woodthorpe, R. Pearce, Int. J. Mech. Sci. 12 (1970) 341–347. That the limit follows the
-/// bluntness of the curve: A. Graf, W. F. Hosford, Metall. Trans. A 21 (1990) 87–94; J. Lian, F. Barlat, B. Baudelet, Int. J.
-/// Plasticity 5 (1989) 131–147 (all not read).
+/// bluntness of the curve: Graf, Hosford, Metall. Trans. A 21 (1990) 87; Lian, Barlat, Baudelet (1989) (all not read).
 fn overrates_biaxial(criterion: YieldCriterion) -> bool {
     matches!(criterion, YieldCriterion::Hill48(hill) if hill.ratio < 1.0)
 }
@@ -87,8 +85,7 @@ impl Kind {
 
 /// A forming limit curve, straight between its points, left of them at constant thickness strain and right of them level.
 ///
-/// One that [ends](Curve::ends_at) is not known to the right: there the level of its last point, in plane strain, is what a
-/// sheet surely bears.
+/// One that [ends](Curve::ends_at) is not known to the right: there a sheet surely bears the level of its last point.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Curve {
     /// Whether nothing is known to the right of its last point.

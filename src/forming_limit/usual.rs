@@ -8,13 +8,11 @@ use std::ops::RangeInclusive;
 /// Young's modulus of steel \[MPa\], and largest n of ferritic sheet \[–\]: declared. They count where no crystal is given.
 const STEEL: RangeInclusive<f64> = 190e3..=220e3;
 const FERRITE: f64 = 0.3;
-/// Largest tensile strength of steels that Keeler and Brazier's curve serves \[MPa\]: CR340Y/590T-DP (AHSS Insights, Forming
-/// Limit Curves).
+/// Largest tensile strength of Keeler and Brazier's steels \[MPa\]: CR340Y/590T-DP (AHSS Insights, Forming Limit Curves).
 const STRENGTH: f64 = 590.0;
 
 impl Kind {
-    /// Returns the curve of a sheet whose case gives none.
-    /// Fails when the hardening law has no load maximum, or begins with it.
+    /// Curve of a sheet whose case gives none. Fails when the hardening law has no load maximum, or begins with it.
     pub fn usual(sheet: &Sheet) -> Result<Curve, LawError> {
         let (material, n) = (sheet.material, uniform_strain(sheet)?);
         let is_ferritic = match material.yield_criterion {

@@ -40,8 +40,7 @@ pub enum CavityError {
 }
 
 impl Profile {
-    /// Line at the distance `by` > 0 \[mm\] on the left; a sharp convex corner or a tip on the axis becomes an arc of this radius.
-    /// Fails when a hollow is narrower than `by`.
+    /// Line at `by` > 0 \[mm\] on the left; sharp corners become arcs. Fails when a hollow is narrower than `by`.
     pub fn offset(&self, by: f64) -> Result<Self, OffsetError> {
         let mut moved = Vec::new();
         for piece in self.pieces() {

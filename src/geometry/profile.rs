@@ -48,8 +48,7 @@ const ROUNDED: f64 = 1e-9;
 pub struct ProfileError(String);
 
 impl Profile {
-    /// Joins pieces into a profile.
-    /// Fails when there is no piece, a piece has no length, or consecutive pieces are more than 1e-6 mm apart.
+    /// Joins pieces into a profile. Fails without a piece, with one of no length, or where they are 1e-6 mm apart.
     pub fn new(pieces: Vec<Piece>) -> Result<Self, ProfileError> {
         if pieces.is_empty() {
             return Err(ProfileError("a profile needs at least one piece".into()));
@@ -89,8 +88,7 @@ impl Profile {
 
     /// Signed distance, normal and curvature at `x` \[mm\]; exact for segments, arcs and corners.
     ///
-    /// Beyond a free end, and behind the line where the end is nearer than √2 times the depth, a point is outside at its
-    /// distance from that end:
+    /// Beyond a free end, or where it is nearer than √2 times the depth, a point is outside at its distance from it:
     ///
     /// ```text
     ///      d > 0      :  d > 0, from the end

@@ -74,8 +74,7 @@ impl Profile {
         self.polyline(0.01).iter().map(|p| p.x).fold(f64::INFINITY, f64::min)
     }
 
-    /// Smallest distance to another profile when this one is moved by `shift` \[mm\], negative when they overlap, and its place;
-    /// arcs are sampled every 0.02 rad.
+    /// Smallest distance to another profile when moved by `shift` \[mm\], negative in overlap; arcs every 0.02 rad.
     pub fn distance_to(&self, other: &Self, shift: Point) -> (f64, Point) {
         self.distance_by(other, shift, 0.02, 1)
     }

@@ -1,5 +1,4 @@
-//! Standard tool shapes, placed so that they touch a flat sheet of thickness t whose mid-surface is z = 0:
-//! punch and holder below (their faces at z = −t/2), the die above (its face at z = +t/2).
+//! Standard tool shapes on a flat sheet of thickness t at z = 0: punch and holder at z = −t/2, the die at z = +t/2.
 
 use super::{Piece, Point, Profile};
 use crate::numerics::bisect;
@@ -38,8 +37,7 @@ pub enum Entry {
         /// End of the face \[mm\].
         mouth: f64,
     },
-    /// Tractrix, the curve whose tangents are equally long up to a wall, from the end of the face at `mouth`. Arcs replace it; one
-    /// takes the place of its steep end, which would never reach its wall.
+    /// Tractrix, with tangents equally long up to a wall, from `mouth`, in arcs; the last one ends at the wall.
     Tractrix {
         /// End of the face \[mm\].
         mouth: f64,
@@ -170,8 +168,7 @@ impl Profile {
         Self::connected(face.into_iter().chain([corner, wall]))
     }
 
-    /// Crowned punch: a face of large `face` radius blended by a corner of `nose` radius into a straight wall
-    /// at `radius` \[mm\] (plane strain: half-width).
+    /// Crowned punch: a `face` radius, a corner `nose` and a wall at `radius` \[mm\] (plane strain: half-width).
     pub fn crowned_punch(radius: f64, face: f64, nose: f64, sheet_thickness: f64) -> Self {
         let top = -0.5 * sheet_thickness;
         // The corner circle touches the wall and, from inside, the face circle.

@@ -16,8 +16,7 @@ use std::fmt;
 pub const PROOF: f64 = 0.002;
 /// Uniform elongation over elongation after fracture, where neither it nor n is known \[–\].
 ///
-/// Declared: the least of the shop sheets with limits of both A80 and n (DC04 0.52, DX57D 0.60, DX56D 0.60, DC06 0.60,
-/// HCT780X 0.83), rounded.
+/// Declared: the least of shop sheets with A80 and n (DC04 0.52, DX57D, DX56D and DC06 0.60, HCT780X 0.83), rounded.
 pub const UNIFORM_SHARE: f64 = 0.6;
 /// Least and largest offset strain of a law made from a band \[–\].
 const OFFSETS: [f64; 2] = [1e-4, 1.0];
@@ -137,8 +136,7 @@ impl Band {
         at(&self.ag, None).map(f64::ln_1p).or_else(n).or_else(|| Some((UNIFORM_SHARE * at(&self.a, None)?).ln_1p()))
     }
 
-    /// Swift's law with the tensile strength and the uniform strain of the band, and its proof stress, or the least that such
-    /// a law has; `None` if one of them is not known.
+    /// Swift's law by tensile strength, uniform strain and proof stress, or the least it has; `None` if one is not known.
     ///
     /// Considère's load maximum at the uniform strain ε_u makes n = ε₀ + ε_u; the ratio of both stresses gives ε₀.
     pub fn law(&self, coil: Option<Coil>) -> Option<MadeLaw> {

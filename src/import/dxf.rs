@@ -1,7 +1,6 @@
 //! Reader of DXF text: pairs of a group code and a value, each on a line of its own.
 //!
-//! # References
-//! Autodesk, DXF Reference (group codes of the HEADER and ENTITIES sections; not read: codes as commonly used).
+//! Source: Autodesk, DXF Reference (group codes of the HEADER and ENTITIES sections; not read: codes as commonly used).
 
 use super::{ImportError, Result, ensure};
 use crate::geometry::Point;

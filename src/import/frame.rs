@@ -46,8 +46,7 @@ impl Frame {
         Ok(frame)
     }
 
-    /// Refuses the header's unit if it makes the tools as wide as no stamping \[mm\]; declared: most headers that are wrong say
-    /// inch, and wide panels are drawn in mm.
+    /// Refuses a header's unit that makes the tools as wide as no stamping \[mm\]; declared: most wrong headers say inch.
     pub fn check_unit(&self, options: &Options, width: f64) -> Result {
         let most = if self.unit == DrawingUnit::MM { WIDEST } else { *WIDTHS.end() };
         if options.unit.is_some() || (*WIDTHS.start()..=most).contains(&width) {

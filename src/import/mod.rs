@@ -12,8 +12,7 @@
 //!
 //! # Frame
 //! In the drawing x is the distance from the axis (or the symmetry plane) and y goes up. In a section r = x, and z goes
-//! the way the punch moves: z = −y for a punch that is drawn above the sheet. Tools stay where they are drawn; a case
-//! file's reader moves each to where it touches the flat sheet.
+//! the way the punch moves: z = −y for a punch above the sheet. Tools stay where they are drawn.
 
 mod axis;
 mod blocks;

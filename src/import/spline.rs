@@ -1,7 +1,6 @@
 //! Rational B-splines as chains of tangent arcs.
 //!
-//! # References
-//! C. de Boor, J. Approx. Theory 6 (1972) 50–62 (the algorithm, as commonly given; not read).
+//! Source: C. de Boor, J. Approx. Theory 6 (1972) 50–62 (the algorithm, as commonly given; not read).
 
 use super::dxf::{Entity, MOST};
 use crate::geometry::{Piece, Point, biarc, turn};

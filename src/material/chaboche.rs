@@ -4,8 +4,7 @@
 //! dα = C ξ/σ_R dε̄ − γ α dε̄,  ξ = σ − α: the yield surface σ̄(ξ) = σ_R moves with its middle at α = Σ α_i
 //! ```
 //!
-//! This is the plane-stress form: for Huber-Mises it is dα' = ⅔ C dε_p − γ α' dε̄ of the deviator. In tension the stress
-//! comes to σ_R + Σ C/γ (1 − exp(−γ ε̄)).
+//! In plane stress: for Huber-Mises dα' = ⅔ C dε_p − γ α' dε̄ of the deviator, in tension σ_R + Σ C/γ (1 − exp(−γ ε̄)).
 //!
 //! # References
 //! J. L. Chaboche, Int. J. Plasticity 2 (1986) 149–188; the form with one back-stress: P. J. Armstrong, C. O. Frederick,

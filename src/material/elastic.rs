@@ -2,8 +2,7 @@
 
 use super::yield_condition::{SHEAR_FACTOR, Triple};
 
-/// Isotropic elastic constants: of the elastoplastic law, of unloading, and of laws that start at the elastic line; the flow law has no
-/// elasticity.
+/// Isotropic elastic constants: of the elastoplastic law, of unloading, and of laws that start at the elastic line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Elastic {
     /// Young's modulus \[MPa\].

@@ -23,8 +23,7 @@
 //! A rate law with [`Rate::CowperSymonds`] is Perzyna's: ε̄̇ = C (σ̄/σ_s − 1)^p. Without one the metal is rate-free.
 //!
 //! # References
-//! J. C. Simo, R. L. Taylor, Int. J. Num. Meth. Engng. 22 (1986) 649–670 (plane-stress return mapping and its tangent);
-//! P. Perzyna, Adv. Appl. Mech. 9 (1966) 243–377 (not read).
+//! J. C. Simo, R. L. Taylor, Int. J. Num. Meth. Engng. 22 (1986) 649; P. Perzyna, Adv. Appl. Mech. 9 (1966) (not read).
 
 use super::point_law::{PointSnapshot, Response, StressUpdate, Tangent};
 use super::yield_condition::{Symmetric, Triple, dot};

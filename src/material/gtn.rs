@@ -22,8 +22,7 @@
 //! κ M = m + c g(m),   g = q₁ q₂ f* sinh(q₂ m/2),   κ² E² = 1 + q₃ f*² − 2 q₁ f* cosh(q₂ m/2) − m²/2c =: Y(m)
 //! ```
 //!
-//! so that m is the root of M² Y − E² (m + c g)², which is concave and falls: Newton's method descends to it from the root
-//! without voids.
+//! so that m is the root of M² Y − E² (m + c g)², concave and falling: Newton descends from the root without voids.
 //!
 //! # References
 //! A. L. Gurson, J. Eng. Mater. Technol. 99 (1977) 2–15; V. Tvergaard, Int. J. Fract. 17 (1981) 389–407; V. Tvergaard,
@@ -49,8 +48,7 @@ const MOST_ROOTS: usize = 60;
 /// σ̄²/σ_y² + 2 q1 f* cosh(3 q2 p/2σ_y) = 1 + q3 f*² with the mean stress p: Gurson's yield condition.
 ///
 /// Valid for small, spread-out voids under tension; without shear it says little about compression.
-/// Source: in common use; A. L. Gurson (1977), V. Tvergaard, A. Needleman (1984), nucleation C. C. Chu, A. Needleman
-/// (1980) (not read).
+/// Source: in common use; A. L. Gurson (1977), V. Tvergaard, A. Needleman (1984), C. C. Chu (1980) (not read).
 #[derive(Clone, Copy, Debug, PartialEq, serde::Deserialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Gtn {
@@ -117,8 +115,7 @@ impl Gtn {
         Self { q1: 1.5, q2: 1.0, q3: 2.25, initial: 0.01, nucleation, coalescence }
     }
 
-    /// Checks the parameters against each other, once after they were read; q₃ that was not given becomes q₁².
-    /// Fails when they do not go together.
+    /// Checks the parameters against each other; q₃ that was not given becomes q₁². Fails when they do not go together.
     pub fn prepare(&mut self) -> Result<(), LawError> {
         let square = self.q1 * self.q1;
         if self.q3 == 0.0 {

@@ -1,5 +1,4 @@
-//! Hosford's yield condition for a sheet that is isotropic in its plane: flatter sides and sharper corners than Hill's, as
-//! the crystals of the metal have it.
+//! Hosford's yield condition for a sheet isotropic in its plane: with sharper corners than Hill's, by the crystals.
 //!
 //! ```text
 //! φ^a = (|σ_s|^a + |σ_θ|^a + r̄ |σ_s − σ_θ|^a)/(1 + r̄)         a = 6 for bcc, 8 for fcc; a = 2 is Hill 1948
@@ -23,8 +22,7 @@
 //!
 //! # References
 //! W. F. Hosford, A generalized isotropic yield criterion, J. Appl. Mech. 39 (1972) 607–609 (not read); R. W. Logan,
-//! W. F. Hosford, Upper-bound anisotropic yield locus calculations assuming ⟨111⟩-pencil glide, Int. J. Mech. Sci. 22 (1980)
-//! 419–430 (not read).
+//! W. F. Hosford, Upper-bound anisotropic yield loci, Int. J. Mech. Sci. 22 (1980) 419–430 (not read).
 
 use super::hill48::{Hill48, SHEAR, SHEAR_INVERSE};
 use super::yield_condition::{Metric, Triple, YieldCondition};
@@ -100,8 +98,7 @@ impl Hosford {
         [along * along + bend * x * x, along * across - bend * x, across * across + bend].map(|entry| square * entry)
     }
 
-    /// The ratio x whose normal goes with 1 and β, x'(β) or the chord from the carried ratio `w`, and 1/φ²; `sum` is 1 + β,
-    /// without the round-off of β.
+    /// Ratio x whose normal goes with 1 and β, x'(β) or the chord from the ratio `w`, and 1/φ²; `sum` is 1 + β.
     fn root(&self, beta: f64, sum: f64, w: Option<f64>) -> [f64; 3] {
         let weight = self.quadratic.ratio * sum;
         let start = w.unwrap_or_else(|| self.guess(beta, sum));
@@ -163,8 +160,7 @@ pub(super) fn ordered(v: Triple) -> (f64, f64, bool) {
 }
 
 impl YieldCondition for Hosford {
-    /// On a flat part of the curve the stress ratio follows the strain's like a seventh root, and Newton's method overshoots; the
-    /// chord to the strain of the carried stress is right at both.
+    /// Newton's method overshoots where the curve is flat; the chord to the strain of the carried stress does not.
     fn metric_towards(&self, e: Triple, w: Option<[f64; 2]>) -> Metric {
         let (major, minor, swapped) = ordered(e);
         if major == 0.0 {

@@ -1,5 +1,4 @@
-//! The sheet's material: laws of hardening, rate and temperature, yield conditions, back-stresses, voids, fracture, and the
-//! laws that give the stress at a point.
+//! The sheet's material: hardening, rate, temperature, yield, back-stresses, voids, fracture, and the stress at a point.
 
 pub mod chaboche;
 mod elastic;
@@ -94,8 +93,7 @@ impl Material {
         self.fitted_up_to.or_else(|| self.hardening.valid_up_to())
     }
 
-    /// Stress and slope of tension that is never reversed, at a strain and a temperature \[K\]: what back-stresses leave of it,
-    /// and they; without rate and softening \[MPa\].
+    /// Stress and slope of tension at a strain and a temperature \[K\], with back-stresses, without rate \[MPa\].
     pub fn monotonic(&self, strain: f64, temperature: f64) -> FlowStress {
         let left = self.hardening.at_temperature(strain, temperature);
         let shifts = self.chaboche.iter().map(|law| law.in_tension(strain));

@@ -14,8 +14,7 @@ pub trait PointLaw {
 
     /// Stress and tangent at the strain increment `e`; moves the iterate on.
     ///
-    /// The increment differs by ± `spread` at the ends of the part of the thickness that the point stands for; the
-    /// elastoplastic law and voided metal ignore it.
+    /// The increment differs by ± `spread` over the point's part; elastoplastic and voided metal ignore it.
     fn respond(&self, point: &Self::PointState, iterate: &mut Self::Iterate, e: Triple, spread: [f64; 2]) -> Response;
 
     /// Snapshot of the last evaluation, which gave `update`.

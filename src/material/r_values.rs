@@ -21,8 +21,7 @@ impl RValues {
         rounded(0.25 * (self.r0 + 2.0 * self.r45 + self.r90))
     }
 
-    /// Δr = (r0 − 2 r45 + r90)/2, the planar anisotropy: ears at 0° and 90° where it is positive, at 45° where negative
-    /// (ISO 10113, not read) \[–\].
+    /// Planar anisotropy Δr = (r0 − 2 r45 + r90)/2 \[–\], positive with ears at 0° and 90° (ISO 10113, not read).
     pub fn planar(&self) -> f64 {
         rounded(0.5 * (self.r0 - 2.0 * self.r45 + self.r90))
     }

@@ -4,8 +4,7 @@
 //! g(Δε̄) = 1 + m ln((Δε̄ + Δε̄_f)/(Δε̄_r + Δε̄_f))       on σ_y
 //! ```
 //!
-//! With Δε̄_r what the surroundings flow in a step: a rate sensitivity that only differences of rate feel. A sheet that flows
-//! evenly bears what it does without.
+//! With Δε̄_r the flow of the surroundings: a rate sensitivity that only differences of rate feel.
 
 use super::FlowStress;
 

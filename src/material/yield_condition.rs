@@ -32,8 +32,7 @@ pub struct Metric {
     pub square: f64,
 }
 
-/// Gradient and second derivative of ½D², with D² the mean over a part of the thickness whose strain increment varies
-/// linearly from e − k to e + k:
+/// Gradient and second derivative of ½D², D² the mean over strain increments from e − k to e + k:
 ///
 /// ```text
 /// [K K_x; K_x ⅓K] by (e, k)        ⅓K without the shear, which has no spread
@@ -74,8 +73,7 @@ pub trait YieldCondition {
         self.metric_towards(e, None)
     }
 
-    /// Metric of a part from `e` − `k` to `e` + `k` by Gauss's two points, or by one without a spread; with the carried
-    /// stress `w` as in [`Self::metric_towards`].
+    /// Metric of a part from `e` − `k` to `e` + `k` by Gauss's points; `w` as in [`Self::metric_towards`].
     fn layer(&self, e: Triple, k: [f64; 2], w: Option<Layer>) -> LayerMetric {
         let root = MEAN_SQUARE.sqrt();
         let at = |root: f64, inverse: f64| {

@@ -59,8 +59,7 @@ impl YieldCriterion {
         1.0 / self.equivalent_stress([1.0, 1.0, 0.0])
     }
 
-    /// Stress of plane strain over that of tension, and equivalent strain over the plane strain: (1 + r̄)/√(1 + 2r̄) by Hill
-    /// \[–\].
+    /// Stress of plane strain over tension, equivalent over plane strain: (1 + r̄)/√(1 + 2r̄) by Hill \[–\].
     pub fn plane_strain_factor(&self) -> f64 {
         self.metric([1.0, 0.0, 0.0]).square.sqrt()
     }

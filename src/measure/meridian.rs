@@ -5,8 +5,7 @@ use crate::numerics::{interpolated, running_sums};
 use crate::solver::solution::Frame;
 use std::ops::Range;
 
-/// Largest curvature of a leg over that of a bend at its end \[–\]; of a curled leg, share of the curvature between its own and
-/// that bend's.
+/// Largest curvature of a leg over that of the bend at its end \[–\]; of a curled leg, of the difference between both.
 const FLAT: f64 = 0.25;
 /// Curvature over that of the outer bend up to which a leg may curl with its sense \[–\].
 const CURLED: f64 = 0.5;

@@ -1,8 +1,7 @@
 //! Split-ring test: a ring cut from the wall of a drawn cup springs open when it is slit.
 //!
 //! # Opening
-//! The wall keeps a hoop moment M per mm of its height, tension outside. The slit ring loses the curvature M/(E′I), I = t³/12,
-//! and its ends part by
+//! The wall keeps a hoop moment M per mm of height. The slit ring loses the curvature M/(E′I), I = t³/12, and parts by
 //!
 //! ```text
 //!   δ = 2π r² M/(E′ I)         > 0 opens, to the first order in δ/2πr; measured along the ring

@@ -4,8 +4,7 @@ use super::Shape;
 use crate::units::{Amount, Digits, Unit};
 use std::fmt;
 
-/// Decimals of a released shape's angles \[°\] and lengths \[mm\]: those of a part's tolerance. The error bars of the shipped cases
-/// are 0.2 to 3° and 0.1 to 1.2 mm.
+/// Decimals of a released shape's angles \[°\] and lengths \[mm\]: of tolerances; error bars are 0.2 to 3°, 0.1 to 1.2 mm.
 const DECIMALS: usize = 1;
 
 /// Something that can be measured on a shape.

@@ -96,8 +96,7 @@ pub enum ThicknessRule {
 }
 
 impl Blank {
-    /// Free blank of 100 graded elements that bend, with 5 points through the thickness; `length` is the radius, or the
-    /// half-length in plane strain \[mm\].
+    /// Free blank of 100 graded elements that bend, with 5 thickness points; `length` is the radius or half-length \[mm\].
     pub fn new(length: f64, thickness: f64) -> Self {
         Self {
             length,
@@ -219,8 +218,7 @@ pub enum Grading {
 }
 
 impl Edge {
-    /// Prescribed moves of the edge in a step \[mm, rad\], `None` where it is free; `punch` is the move of a punch at the mean
-    /// speed, `travel` that of the step.
+    /// Prescribed moves of the edge in a step \[mm, rad\], `None` if free; `punch` is the step's travel at the mean speed.
     pub fn held(self, punch: f64, travel: f64) -> [Option<f64>; 3] {
         match self {
             Self::Free => [None; 3],
@@ -249,8 +247,7 @@ pub enum Edge {
     /// Stays on the axis or the symmetry plane: the first end of a blank without a hole.
     #[serde(skip)]
     Axis,
-    /// Moves outward in its plane at `speed` times the punch speed \[–\] and keeps its slope: for tension tests, which no case
-    /// file asks for.
+    /// Moves outward at `speed` times the punch speed \[–\] and keeps its slope: for tension tests, in no case file.
     #[serde(skip)]
     Pulled {
         /// Over the punch speed \[–\].

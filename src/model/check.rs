@@ -96,8 +96,7 @@ fn once(is_repeated: bool, what: &str) -> Checked {
 }
 
 impl Model {
-    /// Checks that every number is finite and in its range, and that every needed part is there. Fails with the first
-    /// invalid value and its bounds.
+    /// Checks all numbers' ranges, and that every needed part is there. Fails with the first invalid value and its bounds.
     pub fn check(&self) -> Checked {
         self.check_blank()?;
         self.check_material()?;
@@ -274,8 +273,7 @@ impl Stage {
 }
 
 impl Settings {
-    /// Checks that every parameter is in its range and the steps in their order. Fails with the first invalid
-    /// parameter; `what` is its key behind `settings.`.
+    /// Checks all ranges, and the steps' order. Fails with the first invalid parameter, its key behind `settings.`.
     pub fn check(&self) -> Checked {
         count("settings.max_iterations", self.max_iterations, 1..=10_000)?;
         let ranges = [

@@ -24,8 +24,7 @@ pub struct Round {
     /// Radius of the bead.
     #[serde(with = "As::<Positive<Length>>")]
     pub radius: f64,
-    /// Height of the bead over the holder's face; above the radius its flanks are straight. It closes until the faces of holder
-    /// and die are 1.02 thicknesses apart, or at the holder's gap.
+    /// Height over the holder's face; above the radius its flanks are straight. It closes to 1.02 thicknesses, or the gap.
     #[serde(with = "As::<Positive<Length>>")]
     pub height: f64,
     /// Radius of the groove's edges.

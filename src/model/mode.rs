@@ -9,15 +9,12 @@ pub enum Mode {
     ///
     /// Valid where plastic strains are many times the elastic ones; nothing springs back.
     ///
-    /// Source: O. C. Zienkiewicz, P. C. Jain, E. Oñate, Int. J. Solids Struct. 14 (1978) 15–38; W. Sosnowski (1994),
-    /// equations 3 and 4.
+    /// Source: Zienkiewicz, Jain, Oñate, Int. J. Solids Struct. 14 (1978) 15–38; W. Sosnowski (1994), equations 3, 4.
     #[default]
     Flow,
-    /// Elastic and plastic strains on the same elements: Δσ = D(E, ν) (Δε − Δε_p), with Δε_p normal to the yield surface
-    /// σ̄(σ − Σ α) = σ_y(ε̄, ε̄̇) at the end of the step.
+    /// Elastic and plastic strains: Δσ = D(E, ν) (Δε − Δε_p), Δε_p normal to σ̄(σ − Σ α) = σ_y(ε̄, ε̄̇) at its end.
     ///
-    /// Valid for loads from the first contact on, for bending and spring-back. The elastic change of volume counts in the
-    /// thickness, and yield is by force per current area (Cauchy's stress).
+    /// Valid for loads from the first contact on, bending and spring-back. Yield is by Cauchy's stress.
     ///
     /// Source: J. C. Simo, R. L. Taylor, Int. J. Num. Meth. Engng. 22 (1986) 649–670.
     ElastoViscoplastic,

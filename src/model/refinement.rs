@@ -22,8 +22,7 @@ pub enum Direction {
     CutOff,
 }
 
-/// Name, refinement in words with its factor as `{}`, and the formal order of convergence \[–\] of those that are extrapolated, by
-/// the order of the directions.
+/// Name, refinement in words with its factor as `{}`, and formal order of convergence \[–\] of those that are extrapolated.
 const TABLE: [(&str, &str, Option<f64>); 7] = [
     ("elements", "{} times the elements", Some(2.0)),
     ("points", "{} times the points through the thickness", None),

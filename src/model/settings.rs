@@ -11,8 +11,7 @@ pub struct Settings {
     /// Matrix of the corrector; "primal_dual" when not given.
     #[schemars(extend("default" = "primal_dual"))]
     pub iteration: Iteration,
-    /// First guess of a step: the velocities at the end of the step before; true by default. If false, fifteen iterations of
-    /// the secant matrix from rest.
+    /// First guess of a step: the last velocities, by default; if false, fifteen secant iterations from rest.
     pub predictor: bool,
     /// Norm that must be small for a step to be accepted; "velocity" when not given.
     #[schemars(extend("default" = "velocity"))]
@@ -50,8 +49,7 @@ pub struct Settings {
     /// Method that keeps tools out of the sheet; "penalty" when not given.
     #[schemars(extend("default" = "penalty"))]
     pub contact: ContactMethod,
-    /// Equivalent strain that one step may add anywhere; 0.1 when not given. The next step is chosen by it, and one that
-    /// goes beyond twice as much is repeated shorter.
+    /// Equivalent strain that one step may add anywhere; 0.1 when not given. Beyond twice as much it is repeated shorter.
     #[serde(with = "As::<Positive<Number>>")]
     pub strain_step: f64,
 }
@@ -123,8 +121,7 @@ pub struct StopRules {
     /// Ends when the punch force has fallen by this much from its maximum; never when not given.
     #[serde(with = "As::<Positive<Ratio>>")]
     pub load_drop: Option<f64>,
-    /// Ends when this share of the sheet's area, inside the gas's seal where there is gas, lies on the punch or the die: the
-    /// part is formed. Never when not given.
+    /// Ends when this share of the sheet's area, inside a gas's seal, lies on punch or die. Never when not given.
     #[serde(with = "As::<Positive<Ratio>>")]
     pub contact_share: Option<f64>,
     /// Ends, as wished, when the cup is through the die: its rim stands in the throat, a thickness behind the shoulder; in every

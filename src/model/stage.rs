@@ -2,8 +2,7 @@
 
 use crate::model::{Model, Role};
 
-/// One operation on the sheet that the one before left. A tool with the role and profile of one in the stage before begins where
-/// that stood; any other is new.
+/// Operation on the sheet of the one before. A tool with the role and profile of one before begins there; others are new.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stage {
     /// Short name, for folders and tables.

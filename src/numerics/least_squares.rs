@@ -6,8 +6,7 @@
 //! C = s² (JᵀJ)⁻¹,  s² = S/(n − p)            covariance of what is free
 //! ```
 //!
-//! # References
-//! D. W. Marquardt, J. Soc. Indust. Appl. Math. 11 (1963) 431–441 (not read; in common use).
+//! Source: D. W. Marquardt, J. Soc. Indust. Appl. Math. 11 (1963) 431–441 (not read; in common use).
 
 use nalgebra::{DMatrix, DVector};
 
@@ -61,8 +60,7 @@ const LAST: f64 = 1e8;
 /// Dampings that are tried at once.
 const LADDER: [f64; 2] = [1.0, 30.0];
 
-/// Goes downhill from the start with at most `steps` Jacobians, until every parameter changes by less than the share `change` \[–\]
-/// of its size; `None` where the start has no residuals.
+/// Goes downhill by at most `steps` Jacobians, until all change by less than `change` \[–\]; `None` without residuals.
 pub fn minimise(parameters: &[Parameter], residuals: &mut Residuals, steps: usize, change: f64) -> Option<Minimum> {
     let start: Vec<f64> = parameters.iter().map(|p| p.start.clamp(p.low, p.high)).collect();
     let first = residuals(std::slice::from_ref(&start)).pop().flatten()?;

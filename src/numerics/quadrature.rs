@@ -7,15 +7,13 @@ pub struct ThicknessPoint {
     pub xi: f64,
     /// Weight: share of the thickness that it stands for; the weights sum to 1.
     pub weight: f64,
-    /// Half the height of the part of the thickness that it stands in the middle of, over the half-thickness; 0 where it
-    /// stands for itself.
+    /// Half the height of the part that it is the middle of, over the half-thickness; 0 where it stands for itself.
     pub half: f64,
 }
 
 /// The `n`-point rule, exact for polynomials of degree 2n − 3; one point is the mid-surface (membrane).
 ///
-/// # References
-/// M. Abramowitz, I. Stegun, Handbook of Mathematical Functions (1964), 25.4.32.
+/// Source: M. Abramowitz, I. Stegun, Handbook of Mathematical Functions (1964), 25.4.32.
 pub fn lobatto(n: usize) -> Vec<ThicknessPoint> {
     if n < 2 {
         return vec![ThicknessPoint { xi: 0.0, weight: 1.0, half: 0.0 }];

@@ -7,9 +7,7 @@ const CONFIDENCE: f64 = 0.95;
 
 /// Share of hits with the ends of Wilson's interval of 95 %; `None` without a try.
 ///
-/// # References
-/// E. B. Wilson, Probable inference, the law of succession, and statistical inference, J. Am. Stat. Assoc. 22 (1927) 209–212
-/// (not read; the formula is in common use).
+/// Source: E. B. Wilson, J. Am. Stat. Assoc. 22 (1927) 209–212 (not read; the formula is in common use).
 pub fn wilson(hits: usize, tries: usize) -> Option<[f64; 3]> {
     let n = Some(tries as f64).filter(|n| *n > 0.0)?;
     let value = hits as f64 / n;

@@ -265,13 +265,3 @@ fn fitted(values: impl Iterator<Item = f64>, margin: f64) -> (f64, f64) {
     let pad = if is_point { 0.5 * high.abs().max(1e-6) } else { margin * (high - low) };
     (if low == 0.0 { 0.0 } else { low - pad }, if high == 0.0 && low < 0.0 { 0.0 } else { high + pad })
 }
-
-#[cfg(test)]
-#[test]
-fn a_measured_curve_is_drawn_with_few_markers_and_its_first_point() {
-    for (rows, markers) in [(0, 0), (400, 400), (401, 201), (99_000, 400)] {
-        let style = Style::Circles { color: (0, 0, 0) };
-        let drawn = Series::silent((0..rows).map(|i| (f64::from(i), 0.0)).collect(), style).points;
-        assert!(drawn.len() == markers && drawn.first().is_none_or(|point| point.0 == 0.0), "{rows}: {}", drawn.len());
-    }
-}

@@ -18,8 +18,7 @@ pub const COLORS: usize = PALETTE.len();
 
 /// Colours that stay apart for colour-blind readers.
 ///
-/// # References
-/// M. Okabe, K. Ito, Color Universal Design (2008); yellow is left out, it is lost on white.
+/// Source: M. Okabe, K. Ito, Color Universal Design (2008); yellow is left out, it is lost on white.
 const PALETTE: [Color; 7] =
     [(0, 114, 178), (213, 94, 0), (0, 158, 115), (204, 121, 167), (230, 159, 0), (86, 180, 233), BLACK];
 

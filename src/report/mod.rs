@@ -1,8 +1,7 @@
 //! Report on a solved case: one HTML page for people, and the same numbers as JSON.
 //!
 //! Printed it has three pages: the answer; sections, stages, thickness and forming limit; inputs and sources. Details are
-//! folded. It holds nothing of the clock but its date and the wall time of the solution, so that two reports of one case can
-//! be compared.
+//! folded. Of the clock it holds its date and the wall time alone, so that two reports can be compared.
 
 mod front;
 mod page;

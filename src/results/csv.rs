@@ -18,8 +18,7 @@ pub(super) fn csv_with_texts(table: &Table, texts: &[(&str, Vec<String>)]) -> Ve
     records((0..=table.rows()).map(|i| columns.iter().map(|column| &column[i]).collect::<Vec<_>>()))
 }
 
-/// Writes rows of cells. An apostrophe stands before text, but no quantity, that a spreadsheet would run as a formula.
-/// Source: OWASP, CSV Injection.
+/// Writes rows of cells; an apostrophe stands before text that a spreadsheet would run (OWASP, CSV Injection).
 pub(crate) fn records<R: IntoIterator<Item = C>, C: AsRef<str>>(rows: impl IntoIterator<Item = R>) -> Vec<u8> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     let is_formula = |cell: &str| cell.starts_with(['=', '@', '+', '-', '\t', '\'']) && parse(cell).is_err();

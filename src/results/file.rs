@@ -20,8 +20,7 @@ impl WriteError {
     }
 }
 
-/// Writes a file by renaming a complete neighbour `.name.part`; makes missing folders. After a failure an earlier file keeps
-/// its content.
+/// Writes a file by renaming a complete neighbour `.name.part`; makes missing folders. A failure keeps an earlier file.
 pub fn write(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
     let replace = || {
         let part = hidden(path, "part")?;

@@ -4,8 +4,7 @@
 //! Cells carry the columns of `profile.csv`, named with their units: `thickness [mm]`, and `thinning [%]`, which viewers show
 //! first. Coordinates \[mm\]: x from the axis or the symmetry plane, y along the punch travel.
 //!
-//! # References
-//! VTK XML file formats: Kitware, VTK File Formats (<https://docs.vtk.org>).
+//! Source: VTK XML file formats: Kitware, VTK File Formats (<https://docs.vtk.org>).
 
 use super::{Files, StageView, tables};
 use crate::model::Model;

@@ -158,8 +158,7 @@ pub fn verdict(answer: &Answer, findings: &[Finding], bars: Option<&ErrorBars>) 
 }
 
 impl Solution {
-    /// Writes every table and plot of [`OUTPUTS`] into `dir` in the place of earlier results; several stages have a folder
-    /// each. Returns the paths; after a failure the earlier results stay.
+    /// Writes all of [`OUTPUTS`] into `dir`, a folder a stage; returns the paths. A failure keeps earlier results.
     pub fn write(&self, dir: impl AsRef<Path>) -> Result<Vec<PathBuf>, OutputError> {
         let (answer, findings) = answered(self, None);
         let folder = result_folder(&self.case, dir.as_ref())?;

@@ -1,8 +1,7 @@
 //! Augmented Lagrangian: gaps are shifted until nothing penetrates.
 //!
 //! # References
-//! M. R. Hestenes, Multiplier and gradient methods, J. Optim. Theory Appl. 4 (1969) 303–320; contact: J. C. Simo,
-//! T. A. Laursen, Computers & Structures 42 (1992) 97–116.
+//! M. R. Hestenes, J. Optim. Theory Appl. 4 (1969) 303; J. C. Simo, T. A. Laursen, Computers & Structures 42 (1992) 97.
 
 use super::evaluation::mean_gap;
 use super::*;
@@ -10,8 +9,7 @@ use super::*;
 /// Most rounds that one extrapolated shift stands for.
 const LONGEST_SERIES: f64 = 20.0;
 
-/// One round: λ ← min(0, λ + g) for every element; returns `false` when no element penetrates, or is pressed from afar, by more
-/// than [`Settings::PENETRATION`].
+/// One round: λ ← min(0, λ + g) for every element; `false` when none is off by more than [`Settings::PENETRATION`].
 ///
 /// The points of an element share one shift, by their mean gap: with one each, pressure would alternate between points.
 /// Where g falls slowly the shift is the sum of the geometric series of its rounds (A. C. Aitken, 1926).

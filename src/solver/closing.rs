@@ -29,8 +29,7 @@ pub fn closing_way(model: &Model) -> Option<f64> {
     (meets && held && model.release.is_none() && way > LIES * model.blank.thickness).then_some(way)
 }
 
-/// Move of a model's holder at which it stands on its blocks, from where it touches the flat sheet and relative to the die
-/// \[mm\]; `None` without a holder.
+/// Move of the holder from the flat sheet to its blocks, relative to the die \[mm\]; `None` without a holder.
 pub(super) fn block_height(model: &Model) -> Option<f64> {
     let (holder, apart) = (model.tool(Role::Holder)?, APART * model.blank.thickness);
     let on_die = model.tool(Role::Die).map(|die| holder.profile.rise_until(&die.profile, apart));

@@ -9,8 +9,7 @@
 //! of the tools on one face to that on the other; its mean is the normal stress of the
 //! [contact](super::terms::contact). A gas acts on the mid-surface, without one.
 //!
-//! On the faces, which the middles of equal parts miss, D grows by what the increments of the two outermost points extrapolate to:
-//! exact in pure bending.
+//! On the faces D grows by the increment extrapolated from the two outermost points: exact in pure bending.
 
 use super::*;
 use crate::material::{Fracture, fracture::FractureStress};

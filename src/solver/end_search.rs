@@ -3,8 +3,7 @@
 //! A step that goes beyond is repeated up to the root of the line between the excesses at both ends; where one side is hit twice
 //! running, the excess of the other counts half (Illinois variant of regula falsi).
 //!
-//! # References
-//! M. Dowell, P. Jarratt, BIT 11 (1971) 168–174 (not read).
+//! Source: M. Dowell, P. Jarratt, BIT 11 (1971) 168–174 (not read).
 
 /// Accepted overshoot over the step that first went beyond the end \[–\].
 const TOLERANCE: f64 = 1e-3;

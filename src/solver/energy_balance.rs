@@ -7,8 +7,7 @@ use super::*;
 use super::{evaluation::Contact, step::CUT_OFF_ZONE};
 use crate::solver::solution::Energy;
 
-/// Work of a converged step, and the plastic work of each element, of what is solved \[mJ, or per mm of depth\]; `before` is the
-/// evaluation of the step before.
+/// Work of a converged step, and plastic work of each element \[mJ, or per mm of depth\]; `before` is the step before.
 pub(super) fn work(before: &Evaluation, converged: &Converged) -> (Energy, Vec<f64>) {
     let Converged { step, trial, evaluation: now, .. } = *converged;
     let (model, state) = (step.model, step.state);

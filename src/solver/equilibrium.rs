@@ -1,5 +1,4 @@
-//! Equilibrium at the end of a step: the residual r = p − f and its matrix H (Sosnowski 1994, equations 7 to 9), the sum of
-//! the [`terms`](super::terms).
+//! Equilibrium: residual r = p − f and matrix H (Sosnowski 1994, equations 7 to 9), sums of the [`terms`](super::terms).
 
 use super::evaluation::{Linearisation, largest};
 use super::terms::{bead, contact, gas, holder, sheet};

@@ -7,8 +7,7 @@
 //! with an element's plastic work W, the area A that a tool touches, and the section S and distance l towards its neighbours:
 //! backward Euler on finite volumes, uniform through the thickness. Equilibrium uses the extrapolated temperature.
 //!
-//! # References
-//! β: G. I. Taylor, H. Quinney, Proc. R. Soc. London A 143 (1934) 307–326 (not read).
+//! Source: β: G. I. Taylor, H. Quinney, Proc. R. Soc. London A 143 (1934) 307–326 (not read).
 
 use super::*;
 use std::f64::consts::TAU;

@@ -43,8 +43,7 @@ fn graded(model: &Model, n: usize, zones: &[Zone]) -> Vec<f64> {
     if finest >= length / n as f64 {
         return (0..=n).map(|i| start + length * i as f64 / n as f64).collect();
     }
-    // Density = 1/size: the zones' own, a floor elsewhere, blended linearly over a few elements; the floor is
-    // raised or everything scaled until the density integrates to n.
+    // Density = 1/size: the zones' own, a floor elsewhere, blended, then raised or scaled until it integrates to n.
     const SAMPLES: usize = 4000;
     let of_zones = |k: usize| {
         let s = start + length * (k as f64 + 0.5) / SAMPLES as f64;

@@ -20,8 +20,7 @@ pub trait Observer {
     fn settled(&mut self, _state: &State) {}
     /// Called before each stage of a sequence.
     fn stage(&mut self, _stage: &Stage) {}
-    /// Returns `true` to end the run with [`StopKind::Interrupted`](crate::solver::solution::StopKind::Interrupted) and all results so far; asked before
-    /// every step and every iteration.
+    /// Returns `true` to end the run as [interrupted](crate::solver::solution::StopKind::Interrupted); before steps and iterations.
     fn wants_to_stop(&mut self) -> bool {
         false
     }

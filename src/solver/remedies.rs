@@ -4,8 +4,7 @@ use super::*;
 use super::{closing::Unseen, course::Course, no_equilibrium::reached};
 use crate::units::joined;
 
-/// Progress beyond the place without equilibrium at which the model's own settings come back \[–\]: the usual largest step; twice
-/// as far with every further stretch.
+/// Progress beyond the place after which the own settings come back \[–\], the usual largest step; twice as far each time.
 const BEYOND: f64 = 0.01;
 /// Tries that the remedies of one stage may take before the last of them is begun.
 const MOST_TRIES: usize = 1000;

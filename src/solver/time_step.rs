@@ -111,8 +111,7 @@ fn approach(before: &Evaluation, converged: &Converged) -> f64 {
     soonest
 }
 
-/// Tries in which a run must come on by a hundredth, or by its longest step: the shipped cases take at most 7, of 2600 random
-/// cases one takes 41.
+/// Tries in which a run must come on by a hundredth, or its longest step: shipped cases take 7, one of 2600 random ones 41.
 const IN_A_STRETCH: usize = 500;
 /// Tries in all: so many times the steps that the settings ask for, and so many more.
 const PLANNED: usize = 5;

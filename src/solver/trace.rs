@@ -80,8 +80,7 @@ pub enum NoSuchStep {
     Interrupted,
 }
 
-/// Runs stages up to a step and repeats that step with each requested matrix; `observer` sees the run and may end it.
-/// Fails when the run has no such step.
+/// Runs stages up to a step and repeats it with each matrix; `observer` may end the run. Fails without such a step.
 pub fn trace(stages: &[Stage], request: &TraceRequest, observer: &mut dyn Observer) -> Result<Trace, NoSuchStep> {
     let &TraceRequest { stage, step, .. } = request;
     let missing = |last: Option<&StageSolution>, text: String| match last {

@@ -1,7 +1,6 @@
 //! The last value of a variable with a positive sign, or a zero crossing: a scan, then division of the bracket.
 //!
-//! Trials of a round are independent of each other; each round follows from all before, so that a search is resumed from its
-//! trials. A trial that failed is neither positive nor negative.
+//! Trials of a round are independent; rounds follow from all before. A failed one is neither positive nor negative.
 
 use super::variable::SearchRange;
 use crate::plot::Spacing;

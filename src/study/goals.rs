@@ -56,8 +56,7 @@ const FLANGE: f64 = 1.02;
 const RESTRAINT: f64 = 1.0;
 /// Distance of a new bead from the die's shoulder over the thickness \[–\]: declared.
 const BEAD: f64 = 5.0;
-/// Shares of the travel at which a new bead begins to hold and holds with its whole force \[–\]: declared. Held so late, the
-/// wall is stretched and not unbent again, which takes its curl.
+/// Shares of the travel at which a new bead begins to hold, and holds: declared. So late it takes the wall's curl.
 const LATE: [f64; 2] = [0.9, 0.925];
 
 impl Goal {

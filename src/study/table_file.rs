@@ -33,8 +33,7 @@ pub struct TableFile {
 }
 
 impl TableFile {
-    /// Locks the table of a study; an earlier one is refused unless it is to `resume` or to `restart`. A study that is
-    /// resumed waits for the end of the process that it takes over from.
+    /// Locks a study's table; an earlier one only to `resume`, after the end of the process before, or to `restart`.
     pub fn open(path: &Path, resume: bool, restart: bool, watch: &dyn Watch) -> Result<Self> {
         let shown = path.display();
         let unwritable = |error: io::Error| StudyError::new(format!("cannot write {shown}: {error}"), ELSEWHERE);

@@ -1,5 +1,4 @@
-//! Exports of testing machines: semicolons or tabs, decimal commas, lines above the table, units in a row of their own, names
-//! of the trade in German, French and English.
+//! Exports of testing machines: separators, decimal commas, lines above the table, units, names in three languages.
 
 use crate::table::{Csv, CsvError, Record};
 use csv::StringRecord;

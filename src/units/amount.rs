@@ -158,8 +158,7 @@ fn text((number, unit): (String, &str)) -> String {
     number + space + unit
 }
 
-/// Number and bar with as many decimals: one digit of the bar, or two if the first is 1, rounded up but for a twentieth of
-/// the last digit.
+/// Number and bar with as many decimals: one digit of the bar, or two if the first is 1, rounded up.
 fn with_bar(value: f64, bar: f64, most: i32) -> String {
     let first = if bar > 0.0 { -bar.log10().floor() as i32 } else { most };
     let decimals = most.min(first + i32::from(format!("{bar:e}").starts_with('1')));

@@ -1,7 +1,6 @@
 //! Text with a unit → checked number in solver units (mm, N, s, MPa, K, rad), and result numbers as text.
 //!
-//! [`Length`] is a length, [`Positive<Length>`] is above zero, [`Fraction`] lies in 0..=1; all are finite and within
-//! [`Kind::largest`].
+//! [`Length`] is a length, [`Positive<Length>`] above zero, [`Fraction`] in 0..=1; all within [`Kind::largest`].
 //!
 //! ```
 //! use stampflow::units::{Length, Positive, Dimensioned};

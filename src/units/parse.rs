@@ -121,8 +121,7 @@ const HEAVIEST: usize = 3;
 
 /// Thickness of uncoated steel by the US Manufacturers' Standard Gauge, from the heaviest on \[in\].
 ///
-/// Source: printed tables, which follow from weights per square foot at 41.82 lb/ft² per inch; the standard not read.
-/// Galvanised and stainless sheet have gauges of their own.
+/// Source: printed tables, by weights at 41.82 lb/ft² per inch (not read). Galvanised and stainless have their own.
 const STEEL: [f64; 28] = [
     0.2391, 0.2242, 0.2092, 0.1943, 0.1793, 0.1644, 0.1495, 0.1345, 0.1196, 0.1046, 0.0897, 0.0747, 0.0673, 0.0598,
     0.0538, 0.0478, 0.0418, 0.0359, 0.0329, 0.0299, 0.0269, 0.0239, 0.0209, 0.0179, 0.0164, 0.0149, 0.0135, 0.0120,
@@ -130,8 +129,7 @@ const STEEL: [f64; 28] = [
 
 /// Thickness of aluminium by Brown & Sharpe's gauge, which is the American wire gauge \[in\]: 20 is 0.0320 in.
 ///
-/// 0.005 in · 92^((36 − gauge)/39). Source: ASTM B258 (not read; the formula is in common use). Rounded as printed tables
-/// are, to 0.0001 in.
+/// 0.005 in · 92^((36 − gauge)/39), to 0.0001 in as tables are. Source: ASTM B258 (not read; in common use).
 fn aluminium(gauge: usize) -> f64 {
     (1e4 * 0.005 * 92_f64.powf((36.0 - gauge as f64) / 39.0)).round() / 1e4
 }

@@ -41,8 +41,7 @@ pub enum Sense {
     AtLeast,
 }
 
-/// Discretisation error of a number: in JSON `error_bar`, null with an `error_bar_reason` if there is none, and nothing if none
-/// was computed.
+/// Discretisation error of a number: in JSON `error_bar`, null with an `error_bar_reason`, or nothing if not computed.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum ErrorBar {
     /// Not computed.

@@ -14,8 +14,7 @@ pub trait Dimensioned: Copy {
     /// Bounds of the type for schemas: JSON-schema keywords with their values.
     const BOUNDS: &'static [(&'static str, f64)] = &[];
 
-    /// Checks a number given in solver units.
-    /// Fails when it is not finite or out of range; `found` is quoted in the message.
+    /// Checks a number in solver units. Fails when not finite or out of range; `found` is quoted in the message.
     fn checked(value: f64, found: &str) -> Result<Self, QuantityError>;
 
     /// Number in the solver's unit ([`Kind::unit`]).

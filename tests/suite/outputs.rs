@@ -1,6 +1,7 @@
 //! What is made from a run: tables, files and pictures, over the whole list of outputs.
 
 use crate::common::prelude::*;
+use stampflow::plot::chart::{Series, Style};
 use stampflow::{case::files::sha256, plot::StageView, report::Report, results::Summary, table::Table};
 
 /// Cases, their stage, and the outputs that not every run has.
@@ -172,4 +173,13 @@ fn the_summary_of_a_release_has_its_spring_back_and_no_round_off() {
     }
     assert_eq!(json["work_plastic_J_per_mm"], 0.0);
     assert!(json["work_elastic_J_per_mm"].as_f64().unwrap() < 0.0);
+}
+
+#[test]
+fn a_measured_curve_is_drawn_with_few_markers_and_its_first_point() {
+    for (rows, markers) in [(0, 0), (400, 400), (401, 201), (99_000, 400)] {
+        let style = Style::Circles { color: (0, 0, 0) };
+        let drawn = Series::silent((0..rows).map(|i| (f64::from(i), 0.0)).collect(), style).points;
+        assert!(drawn.len() == markers && drawn.first().is_none_or(|point| point.0 == 0.0), "{rows}: {}", drawn.len());
+    }
 }

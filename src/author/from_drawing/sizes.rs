@@ -83,8 +83,7 @@ impl DrawnTools {
         extent(&self.die).1 < extent(&before.punch).1
     }
 
-    /// From the flat sheet, from a part turned over that hangs on the die, or from the punch of the operation before. Where no sheet is drawn, the tools leave room for one, and
-    /// the punch is as long as its travel.
+    /// From the flat sheet, a part turned over, or the punch before. Without a sheet, tools leave room.
     fn drawn_travel(&self, within: [f64; 2], before: Option<&Self>, has_sheet: bool) -> Option<f64> {
         let top = |tools: &Self| Some(tools.punch.profile.extreme(true, within)?.y);
         let (thickness, end) = (self.thickness.value, top(self)?);
@@ -160,8 +159,7 @@ impl DrawnTools {
         }
     }
 
-    /// Travel as drawn, through the die with what the template adds to it; else a share of the punch's size for which its drawn
-    /// height and the die leave room.
+    /// Travel as drawn, through the die with what the template adds; else a share of the punch's size that leaves room.
     fn travel_for(&self, blank: f64) -> Picked {
         let (Self { punch, die, .. }, thickness) = (self, self.thickness.value);
         if let Some(travel) = self.drawn {

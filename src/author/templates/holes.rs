@@ -6,8 +6,7 @@ use crate::measure::part_height;
 /// Half of the included angle of conical punches, 60° (ISO 16630, not read) \[rad\].
 const HALF: f64 = PI / 6.0;
 
-/// Cone of an angle to the axis \[rad\] from its apex, a corner and an upright wall down to a depth, as TOML; and the depth at
-/// which the wall begins \[mm\].
+/// Cone \[rad to the axis\], corner and upright wall down to a depth, as TOML; and the depth where the wall begins \[mm\].
 pub(super) fn cone(angle: f64, radius: f64, corner: f64, depth: f64) -> (String, f64) {
     let (sin, cos) = angle.sin_cos();
     let upright = (corner + (radius - corner) * cos) / sin;

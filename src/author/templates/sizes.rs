@@ -75,8 +75,7 @@ pub(super) fn ensure(fits: bool, what: impl FnOnce() -> String, help: &str) -> R
     if fits { Ok(()) } else { Err(CaseError::bare(what(), help.to_owned())) }
 }
 
-/// Draw ratio of the blank for a part of this height; above a limit, which is `of` something, an error with the largest
-/// height above `least` that is within it.
+/// Draw ratio of the blank for a part of this height; above a limit an error with the largest height within it.
 pub(super) fn draw_ratio(
     blank_for: impl Fn(f64) -> f64, [least, height]: [f64; 2], punch: f64, (limit, of): (f64, &str), or: &str,
 ) -> Result<f64, CaseError> {

@@ -32,8 +32,7 @@ pub struct Bead {
 pub struct Spring {
     /// Force where it touches the flat sheet, of the whole tool as `force`.
     preload: HolderForce,
-    /// Force per move of the whole holder, "5 kN/mm"; in plane strain per depth as well, "50 N/mm^2", unless blank.depth is
-    /// given.
+    /// Force per move of the whole holder, "5 kN/mm"; in plane strain per depth, "50 N/mm^2", unless blank.depth is given.
     stiffness: Stiffness,
 }
 

@@ -9,8 +9,7 @@ use crate::model::Press;
 const MOST: usize = 50;
 const LONGEST: usize = 30;
 
-/// Tool beside the common ones, such as an inner punch, an ejector or a second pad. One drive at most is given: it stands still
-/// without.
+/// Tool beside the common ones, such as an inner punch or an ejector. One drive at most is given: without, it stands.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Further {

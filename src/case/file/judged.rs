@@ -126,8 +126,7 @@ impl fmt::Display for Finished {
     }
 }
 
-/// The part's tolerances on spring-back, for the verdict on a case whose last stage takes the tools away, and the split-ring
-/// test.
+/// Tolerances on spring-back, for a case whose last stage takes the tools away, and the split-ring test.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Springback {
@@ -141,8 +140,7 @@ pub struct Springback {
     /// Tolerance of the angle of each wall \[°\]: half of that between both.
     #[serde(with = "As::<Positive<Angle>>")]
     pub wall_tolerance: Option<f64>,
-    /// Wanted angle of each flange to the horizontal, positive with the edge towards the bottom \[°\]. Default: the one under the
-    /// tools.
+    /// Wanted angle of each flange to the horizontal, positive towards the bottom \[°\]. Default: the one under the tools.
     #[serde(with = "As::<Angle>")]
     pub flange_angle: Option<f64>,
     /// Tolerance of that angle \[°\].

@@ -276,8 +276,7 @@ impl StageContext<'_> {
         Ok(())
     }
 
-    /// Sets the holder's force: one force is reached from the last one over the first part of the travel. A holder that stays
-    /// and had none is brought up to the sheet.
+    /// Sets the holder's force, reached over the first part of the travel; one that had none is brought up to the sheet.
     fn press(&self, model: &mut Model, meets: &mut Vec<Role>) -> Result<()> {
         let Some(holder) = &self.written.holder else { return Ok(()) };
         let Some(force) = holder.force_curve(self.before.extent(), self.source)? else { return Ok(()) };

@@ -102,8 +102,7 @@ tool! {
     pub travel: Option<Positive<Length>>,
     /// Punch speed, 1 mm/s when not given; hardening without rate dependence does not feel it.
     pub speed: Option<Positive<Speed>>,
-    /// Instead of travel and speed: the travel over time, rising from 0 mm at 0 s, straight between its points; the last one
-    /// is the whole travel.
+    /// Instead of travel and speed: the travel over time, rising from 0 mm at 0 s to the whole travel, straight between.
     pub motion: Option<Vec<(NonNegative<Time>, NonNegative<Length>)>>,
 }
 

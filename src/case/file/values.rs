@@ -173,8 +173,7 @@ impl<W: Dimensioned, P: Dimensioned> Extensive<W, P> {
     }
 }
 
-/// Distance from the axis or symmetry plane \[mm\], and the key that gives it. The keys and their lengths are radius and
-/// diameter of a round part, and the half-width in plane strain.
+/// Distance from the axis or symmetry plane \[mm\] and its key: radius, diameter, or half-width in plane strain.
 pub fn radius_of(
     source: &Source, table: &str, geometry: Geometry, keys: [&'static str; 3], lengths: [Option<Positive<Length>>; 3],
 ) -> Result<(&'static str, f64)> {

@@ -1,15 +1,13 @@
 //! Friction laws, one per file.
 //!
-//! A law gives the friction stress τ from the contact pressure p, the slip s of the step and its duration. All are regularised
-//! by a sliding speed v₀, so that the law does not depend on the step.
+//! A law gives τ from pressure p, slip s and duration of a step, regularised by a sliding speed v₀.
 //!
 //! ```text
 //! φ(s) = s/√(s² + s₀²),  s₀ = v₀ Δt          τ(p, s) = (a stress that the law gives) · φ(s)
 //! ```
 //!
 //! # References
-//! The plasticity analogy and its tangent: Perić, Owen, Computational model for 3D contact problems with friction
-//! based on the penalty method (1991).
+//! The plasticity analogy and its tangent: Perić, Owen, 3D contact problems with friction by the penalty method (1991).
 
 mod coulomb;
 mod pressure_dependent;

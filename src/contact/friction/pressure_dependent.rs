@@ -6,8 +6,7 @@ use crate::material::law::prelude::*;
 parameters! {
     /// Coefficient that falls with pressure: μ = coefficient (p/reference)^(exponent − 1).
     ///
-    /// Source: in common use for lubricated sheet; I. Gil, J. Mendiguren, L. Galdos, E. Mugarra, E. Saenz de Argandoña,
-    /// Tribology International 103 (2016) 266–273 (not read).
+    /// Source: in common use for lubricated sheet; I. Gil et al., Tribology International 103 (2016) 266–273 (not read).
     pub struct PressureDependent {
         /// At the reference pressure, 0 to 1.
         pub coefficient: "As::<Fraction>" = 0.12,

@@ -49,8 +49,7 @@ impl<'a> Groove<'a> {
         Self { parameters, sheet, path: Proportional::new(criterion, beta), criterion, tangent: angle.tan() }
     }
 
-    /// Equivalent strain of the sheet when the groove necks; `None` where it does not.
-    /// Fails when the equations lose their solution before the groove is necking.
+    /// Equivalent strain when the groove necks; `None` where it does not. Fails when the equations lose their solution.
     pub fn neck(&self, mut step: f64) -> Result<Option<f64>, LawError> {
         let ([across, _], shear) = self.in_groove(self.path.strain, 0.0);
         let mut now = Strained { sheet: 0.0, groove: 0.0, thickness: 0.0, rate: Vector2::new(across, 2.0 * shear) };
@@ -132,8 +131,7 @@ impl<'a> Groove<'a> {
         ([cos2 * first + sin2 * second, sin2 * first + cos2 * second], product * (second - first))
     }
 
-    /// Equivalent strain increment \[–\], and the stresses σ_nn and σ_nt over the yield stress \[–\], of the increments Δε_nn,
-    /// Δε_tt and Δγ_nt.
+    /// Equivalent strain increment \[–\], and σ_nn and σ_nt over the yield stress \[–\], of Δε_nn, Δε_tt and Δγ_nt.
     fn turned(&self, nn: f64, tt: f64, shear: f64) -> (f64, [f64; 2]) {
         let (mean, half, slip) = (0.5 * (nn + tt), 0.5 * (nn - tt), 0.5 * shear);
         let radius = half.hypot(slip);

@@ -1,12 +1,10 @@
-//! Ductile fracture: damage that a thickness point sums up along its path. One criterion, one file, as
-//! [`law`](crate::material::law) says.
+//! Ductile fracture: damage that a point sums up along its path. One criterion, one file: [`law`](crate::material::law).
 //!
 //! ```text
 //! D = (1/C) ∫ f(σ₁, σ_m, σ̄) dε̄,   f ≥ 0,   fracture at D = 1
 //! ```
 //!
-//! with the criterion's critical value C. σ̄ is the yield condition's equivalent stress. Damage does not heal: a criterion
-//! that would be negative under pressure counts as zero.
+//! with the critical value C and the equivalent stress σ̄. Damage does not heal: a negative criterion counts as zero.
 
 mod brozzo;
 mod cockcroft_latham;

@@ -37,8 +37,7 @@ fn endless() -> f64 {
 const LARGEST_JUMP: f64 = 0.005;
 
 impl PiecewisePower {
-    /// Joins branches, in order of strain; the last must have no end (infinite).
-    /// Fails when a parameter is out of range, the ends do not rise, or two branches do not meet.
+    /// Joins branches in order of strain, the last without end. Fails out of range, or where ends do not rise or meet.
     pub fn new(branches: Vec<Branch>) -> Result<Self, LawError> {
         let mut law = Self { branches };
         law.prepare(None).map(|()| law)

@@ -1,5 +1,4 @@
-//! Measured stress-strain points, interpolated without overshoot; a long record with scatter is first smoothed by local
-//! parabolas.
+//! Measured stress-strain points, interpolated without overshoot; a long record is first smoothed by local parabolas.
 //!
 //! # References
 //! W. S. Cleveland, Robust locally weighted regression and smoothing scatterplots, J. Am. Stat. Assoc. 74 (1979) 829–836
@@ -39,8 +38,7 @@ pub struct Table {
 }
 
 impl Table {
-    /// Points with rising strain from 0 and stress > 0 \[MPa\] that does not fall.
-    /// Fails when there are fewer than two points or they are not of that kind.
+    /// Points with rising strain from 0 and stress > 0 \[MPa\] that does not fall. Fails without two points of that kind.
     pub fn new(strain: Vec<f64>, stress: Vec<f64>, extrapolation: Extrapolation) -> Result<Self, LawError> {
         let points: Vec<_> = strain.into_iter().zip(stress).collect();
         Ok(Self { points: Vec::new(), extrapolation, curve: Monotone::new(&points, extrapolation)? })

@@ -19,8 +19,7 @@ macro_rules! family {
             /// Formula with its numbers, for summaries and plots.
             fn formula(&self) -> String;
 
-            /// Checks parameters against each other and computes what follows from them, once after they were read;
-            /// `young` is Young's modulus of the sheet where it is known \[MPa\].
+            /// Checks parameters and computes what follows, after they were read; `young` is Young's modulus \[MPa\].
             fn prepare(&mut self, _young: Option<f64>) -> Result<(), $crate::material::law::LawError> {
                 Ok(())
             }

@@ -4,8 +4,7 @@ parameters! {
     /// 1 + (rate/C)^(1/p), which is Perzyna's law ε̄̇ = C ⟨σ̄/σ_s − 1⟩^p with the fluidity C.
     ///
     /// Valid for the strong rate dependence of mild steel at press speeds and beyond.
-    /// Source: in common use; G. R. Cowper, P. S. Symonds, Brown University Tech. Rep. 28 (1957), P. Perzyna, Adv. Appl. Mech.
-    /// 9 (1966) 243–377 (not read).
+    /// Source: in common use; Cowper, Symonds, Brown Univ. (1957), P. Perzyna, Adv. Appl. Mech. 9 (1966) (not read).
     pub struct CowperSymonds {
         /// C \[1/s\].
         pub rate: "As::<Positive<StrainRate>>" = "40 /s",

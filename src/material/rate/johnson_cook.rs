@@ -6,8 +6,7 @@ parameters! {
     /// 1 + C ln(rate/reference) above the reference rate, smoothly 1 below it.
     ///
     /// Valid above the reference rate, for a weak dependence.
-    /// Source: in common use; G. R. Johnson, W. H. Cook, Proc. 7th Int. Symp. on Ballistics, The Hague (1983) 541–547 (not
-    /// read).
+    /// Source: in common use; G. R. Johnson, W. H. Cook, 7th Int. Symp. on Ballistics (1983) 541–547 (not read).
     pub struct JohnsonCook {
         /// C.
         pub coefficient: "As::<Positive<Number>>" = 0.015,

@@ -1,5 +1,4 @@
-//! Rate dependence: a factor on the yield stress, g(ε̄̇) with σ_y = σ_s(ε̄) g(ε̄̇). One law, one file, as
-//! [`law`](crate::material::law) says.
+//! Rate dependence: a factor g(ε̄̇) with σ_y = σ_s(ε̄) g(ε̄̇). One law, one file: [`law`](crate::material::law).
 
 mod cowper_symonds;
 mod johnson_cook;

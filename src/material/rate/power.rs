@@ -4,8 +4,7 @@ parameters! {
     /// (rate/reference)^exponent; with a reference of 1/s on a Hollomon law the superplastic K ε^n ε̇^m.
     ///
     /// Valid over the two or three decades of the rate that m was measured in.
-    /// Source: in common use; W. A. Backofen, I. R. Turner, D. H. Avery, Superplasticity in an Al-Zn alloy, Trans. ASM 57
-    /// (1964) 980–990 (not read).
+    /// Source: in common use; W. A. Backofen, I. R. Turner, D. H. Avery, Trans. ASM 57 (1964) 980–990 (not read).
     pub struct PowerRate {
         /// m, 0 to 1.
         pub exponent: "As::<Fraction>" = 0.02,

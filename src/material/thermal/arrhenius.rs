@@ -4,8 +4,7 @@ use super::*;
 const GAS_CONSTANT: f64 = 8_314.462_618;
 
 parameters! {
-    /// exp(exponent activation/R (1/T − 1/reference)): with a power of the strain rate of the same exponent the stress
-    /// depends on the Zener-Hollomon parameter Z = ε̄̇ exp(Q/RT) alone.
+    /// exp(exponent activation/R (1/T − 1/reference)): with the rate's exponent, of Z = ε̄̇ exp(Q/RT) (Zener-Hollomon) alone.
     ///
     /// Valid for hot metal, above half its absolute melting point.
     /// Source: in common use; C. Zener, J. H. Hollomon, J. Appl. Phys. 15 (1944) 22–32 (not read).

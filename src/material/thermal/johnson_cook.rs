@@ -7,8 +7,7 @@ parameters! {
     /// 1 − ((T − reference)/(melting − reference))^exponent; 1 below the reference.
     ///
     /// Valid up to some tenths of the way to the melting point; held at a thousandth just below it.
-    /// Source: in common use; G. R. Johnson, W. H. Cook, Proc. 7th Int. Symp. on Ballistics, The Hague (1983) 541–547 (not
-    /// read).
+    /// Source: in common use; G. R. Johnson, W. H. Cook, 7th Int. Symp. on Ballistics (1983) 541–547 (not read).
     pub struct Melting {
         /// Temperature at which the hardening law was measured \[K\].
         pub reference: "As::<Positive<Temperature>>" = "20 °C",

@@ -1,5 +1,4 @@
-//! Dependence on the temperature: a factor on the yield stress, h(T) with σ_y = σ_s(ε̄) g(ε̄̇) h(T). One law, one file, as
-//! [`law`](crate::material::law) says.
+//! Softening by heat: a factor h(T) with σ_y = σ_s(ε̄) g(ε̄̇) h(T). One law, one file: [`law`](crate::material::law).
 
 mod arrhenius;
 mod exponential;

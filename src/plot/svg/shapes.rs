@@ -93,8 +93,7 @@ pub(super) fn sample(canvas: &Canvas, style: Style, (x, y): (f64, f64), (width, 
 
 /// Polygon clipped at a window; separate parts stay joined along the border.
 ///
-/// # References
-/// I. E. Sutherland, G. W. Hodgman, Reentrant polygon clipping, Comm. ACM 17 (1974) 32–42.
+/// Source: I. E. Sutherland, G. W. Hodgman, Reentrant polygon clipping, Comm. ACM 17 (1974) 32–42.
 pub(super) fn clipped(polygon: &[(f64, f64)], x: (f64, f64), y: (f64, f64)) -> Vec<(f64, f64)> {
     type Inside = fn((f64, f64), f64) -> f64;
     let sides: [(Inside, f64); 4] =

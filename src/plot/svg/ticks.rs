@@ -12,8 +12,7 @@ fn ticks(range: (f64, f64), most: usize) -> Vec<f64> {
     RangedCoordf64::from(range.0..range.1).key_points(BoldPoints(most))
 }
 
-/// Logarithms of 1, 2, 5 times powers of ten in a range of logarithms, of powers of ten alone if those are more than `most`;
-/// round values if there are fewer than two.
+/// Logarithms of 1, 2, 5 times powers of ten, or of these alone if more than `most`; round values if fewer than two.
 fn decades((low, high): (f64, f64), most: usize) -> Vec<f64> {
     let powers = low.floor() as i32..=high.ceil() as i32;
     let fine = powers.flat_map(|power| [1.0_f64, 2.0, 5.0].map(|digit| digit.log10() + f64::from(power)));

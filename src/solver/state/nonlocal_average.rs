@@ -17,8 +17,7 @@ pub struct NonlocalAverage {
     ends: Vec<f64>,
     /// Half the window \[mm\].
     reach: f64,
-    /// Element at each end of a window, and length from the axis \[mm\], negative on the mirror image; no window for an element
-    /// longer than it.
+    /// Element at each end of a window, and length from the axis \[mm\], negative on the mirror image.
     spans: Vec<[(usize, f64); 2]>,
 }
 

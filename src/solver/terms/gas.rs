@@ -59,8 +59,7 @@ fn press_element(geometry: Geometry, e: usize, side: f64, gas: f64, column: Opti
     out.system.add_element(e, &matrix);
 }
 
-/// Adds the equations of controlled pressures, max(‖Δε̄‖/(target Δt) − 1, p/cap − 1) = 0 (semi-smooth), with the regularised Δε̄ of
-/// the mid-surface.
+/// Adds the equations of controlled pressures, max(‖Δε̄‖/(target Δt) − 1, p/cap − 1) = 0, with Δε̄ of the mid-surface.
 pub fn hold_rate(step: &Step, trial: &Trial, out: &mut Evaluation) {
     let Step { context, model, state, dt, .. } = *step;
     let criterion = &model.material.yield_criterion;

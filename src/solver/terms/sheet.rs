@@ -74,8 +74,7 @@ fn add_elements<L: PointLaw>(
 
 /// Keeps a sheet from floating along z once the tools that go away have left it, and a slack membrane.
 pub fn stabilise(step: &Step, trial: &Trial, out: &mut Evaluation) {
-    // An elastic membrane has no stiffness across itself where nothing stretches it: a holder's pressure alone makes the span
-    // inside it longer than the way from punch to die.
+    // An elastic membrane has no stiffness across itself where only a holder's pressure slackens it.
     let may_be_slack = step.model.mode != Mode::Flow && step.model.blank.theory != Theory::Bending;
     if !step.model.may_be_left() && !may_be_slack {
         return;

@@ -4,8 +4,7 @@ use super::{Direction, Outcome};
 use crate::assess::error_bars::{Contribution, Number};
 use crate::units::ErrorBar;
 
-/// Factors of safety on an extrapolated error, and on the spread of values that follow no order \[–\]: with both, 19 bars of
-/// 20 and more hold the truth of random dies.
+/// Factors of safety on an extrapolated error, and on a spread \[–\]: 19 bars of 20 hold the truth of random dies.
 const EXTRAPOLATED: f64 = 1.25;
 const SPREAD: f64 = 2.0;
 /// Least error over the number, in tolerances to which every step was solved \[–\].

@@ -1,5 +1,4 @@
-//! Solution verification: the share of a number that mesh, step, points through the thickness and contact leave open. Laws,
-//! friction and tools are the model, whose errors validation finds.
+//! Solution verification: what mesh, step, thickness points and contact leave open; models are for validation.
 //!
 //! Each [`Direction`] is refined on its own, because errors of different origin cancel: elements and contact smoothing, which
 //! decide most bars, twice and four times, the others twice. Of the numbers f₁ (the run itself), f₂, f₄ of one direction:
