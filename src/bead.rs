@@ -103,9 +103,7 @@ fn penetration(case: &Model, bead: &Round) -> f64 {
 }
 
 /// Solves the closed bead at `at` \[mm\] of a case: its line restraint, and a sentence on it.
-///
-/// # Errors
-/// Mistake and remedy of a bead that does not fit sheet, flange or groove, or of one, then true, in which the strip's run stops.
+/// Fails with mistake and remedy of a bead that does not fit, or, then true, in which the strip's run stops.
 pub fn closed(case: &Model, bead: &Round, at: f64) -> Result<(Bead, String), (String, &'static str, bool)> {
     let (t, end, way) = (case.blank.thickness, case.blank.length, penetration(case, bead));
     let (flat, half) = (case.tool(Role::Die).map_or(0.0, shoulder_end), widths(bead, t).1[2]);
@@ -170,9 +168,7 @@ pub fn stages(case: &Model, bead: &Round, place: f64, way: f64) -> [Stage; 2] {
 }
 
 /// Forces and thinning of both stages of the strip of a bead at `at` \[mm\].
-///
-/// # Errors
-/// The end of the stage that did not come to its own.
+/// Fails with the end of the stage that did not come to its own.
 pub fn drawn(bead: &Round, at: f64, solved: &[StageSolution]) -> Result<Drawn, Stop> {
     if let Some(early) = solved.iter().find(|stage| !stage.stop.is_complete()) {
         return Err(early.stop.clone());

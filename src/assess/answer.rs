@@ -96,48 +96,6 @@ fn sentence(stages: &[StageSolution], findings: &[Finding], failures: &[FailureM
     }
 }
 
-named! {
-    /// Failure mode of a part or a design; the order is that of importance.
-    #[derive(PartialOrd, Ord)]
-    pub enum FailureMode;
-    /// Name in files.
-    fn key;
-    Tears: "tears", "The sheet tears or necks.";
-    Wrinkles: "wrinkles", "The flange wrinkles.";
-    Press: "press", "The press lacks force or energy.";
-    Other: "other", "Any other red finding.";
-    NoResult: "no_answer", "No result: invalid case, no equilibrium, or interrupted.";
-}
-
-impl FailureMode {
-    /// Name in text.
-    pub fn label(self) -> &'static str {
-        ["tears", "wrinkles", "press too small", "refused otherwise", "no result"][self as usize]
-    }
-
-    /// All modes of a solved case, the most important first; empty if the part is sound.
-    pub fn all(stages: &[StageSolution], findings: &[Finding]) -> Vec<Self> {
-        use StopKind::{Coalesced, EdgeLimit, LoadMaximum, Localised, NoEquilibrium, PressureMaximum};
-        let Some(stop) = stages.last().map(|stage| &stage.stop) else { return vec![Self::NoResult] };
-        let is_tear = matches!(stop.kind, Localised | Coalesced | EdgeLimit | LoadMaximum | PressureMaximum);
-        let red = judgements(findings).filter(|finding| finding.light == Light::Red).map(|finding| finding.key);
-        let mode = |key| match key {
-            "stop" if is_tear => Self::Tears,
-            "thinning" | "localisation" | "forming_limit" | "fracture" | "edge" | "tearing" => Self::Tears,
-            "wrinkling" | "wall_wrinkles" => Self::Wrinkles,
-            "press_force" | "energy" => Self::Press,
-            _ => Self::Other,
-        };
-        let mut modes: Vec<Self> = red.map(mode).collect();
-        modes.sort_unstable();
-        modes.dedup();
-        let is_lost = !stop.is_complete() && !stop.is_physical();
-        // A sheet that has torn often comes to no equilibrium after it.
-        let tore_before = stop.kind == NoEquilibrium && modes.first() == Some(&Self::Tears);
-        if is_lost && !tore_before { vec![Self::NoResult] } else { modes }
-    }
-}
-
 fn numbers(case: &Case, stages: &[StageSolution], is_torn: bool) -> Vec<Quantity> {
     let end = stages.last().and_then(|stage| stage.steps.last());
     let all = [
@@ -199,20 +157,20 @@ pub(super) fn load(case: &Case, stages: &[StageSolution], bar: f64) -> Option<Qu
     };
     let at = format!("at {}", instant(&stages[i], peak.travel, peak.time));
     let at = joined([of(&stages[i]), stage(i), at], ", ");
-    let others = formed(stages).filter(|(other, _)| *other != i).map(|(other, on)| {
-        let force = on.working_force().into_iter().fold(0.0, f64::max);
-        let force =
-            if force > 0.0 { format!("{} in stage {}", pressed.amount(force), other + 1) } else { String::new() };
-        joined([force, of(on)], " ")
+    let others = formed(stages).filter(|(other, _)| *other != i).filter_map(|(other, on)| {
+        let force = Some(on.working_force().into_iter().fold(0.0, f64::max)).filter(|force| *force > 0.0)?;
+        Some(joined([format!("{} in stage {}", pressed.amount(force), other + 1), of(on)], " "))
     });
     let about = joined([at, joined(others, ", "), press(case, &pressed, bar)], "; ");
-    let (is_punch, model) = (of(&stages[i]).is_empty(), &stages[i].model);
-    let [key, label] = match is_punch {
-        true if model.tool(Role::Punch).is_none() => ["punch_force", "Feed force"],
-        true => ["punch_force", "Punch force"],
-        false => ["tool_force", "Tool force"],
+    let fed = stages[i].model.tool(Role::Punch).is_none();
+    let label = if !of(&stages[i]).is_empty() {
+        "Tool force"
+    } else if fed {
+        "Feed force"
+    } else {
+        "Punch force"
     };
-    Some(Quantity::new(key, label, pressed.amount(force)).at(about))
+    Some(Quantity::new("punch_force", label, pressed.amount(force)).at(about))
 }
 
 /// Share of the press's rating, or press for a load and its error bar \[N, or N/mm\].

@@ -131,9 +131,7 @@ pub fn weighed(solution: &Solution, findings: Vec<Finding>, bars: Option<&ErrorB
     for number in &mut answer.numbers {
         let error = bars.error(Origin::Answer, number.key, "given, not computed");
         let loaded = match error {
-            ErrorBar::Half(half) if ["punch_force", "tool_force"].contains(&number.key) => {
-                answer::load(case, stages, half)
-            }
+            ErrorBar::Half(half) if number.key == "punch_force" => answer::load(case, stages, half),
             _ => None,
         };
         *number = loaded.unwrap_or_else(|| number.clone()).with_error(error);

@@ -11,6 +11,7 @@ mod draw;
 mod edge;
 pub mod error_bars;
 pub mod estimate;
+mod failure;
 mod filling;
 mod finding;
 mod forming_limit;
@@ -26,8 +27,9 @@ mod stop;
 mod tear;
 mod tools;
 
-pub use answer::{Answer, FailureMode, largest_force};
+pub use answer::{Answer, largest_force};
 pub use draw::draws;
+pub use failure::FailureMode;
 pub use finding::{Finding, Kind, Light, When, by_advice, first_clause, headline, judgements, sentences, unchecked};
 pub use forming_limit::{CAREFUL, Used, used as forming_limit_used};
 pub use holder::holder_lift;

@@ -103,7 +103,6 @@ impl Reference {
     }
 
     /// The element after its nodes have moved by `a` and `b`; `None` when it has collapsed or crossed the axis.
-    ///
     /// Strains are formed from the moves: where the sheet hardly flows, differences of positions would be round-off.
     pub fn moved(&self, a: [f64; 3], b: [f64; 3]) -> Option<Current> {
         let (ur, uz, turn) = (b[0] - a[0], b[1] - a[1], b[2] - a[2]);

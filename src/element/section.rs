@@ -55,7 +55,6 @@ fn add_point(c: &mut Matrix5, zeta: f64, half: f64, v: f64, tangent: &Tangent) {
 
 impl<L: PointLaw> Section<'_, L> {
     /// Forces Bᵀ S \[N, N mm\] and matrix of an element of `volume` \[mm³, or mm²\] that was `thickness` \[mm\] thick.
-    ///
     /// The points of the element are those of the start of the step; the iterates are advanced, the updates overwritten.
     pub fn internal(
         &self, current: &Current, volume: f64, thickness: f64, points: &[L::PointState], iterates: &mut [L::Iterate],

@@ -216,7 +216,6 @@ impl ElastoplasticLaw<'_> {
     }
 
     /// Δp from n·g = 1 by Newton's method on 1 − 1/√(n·g), which is all but straight, between bounds that close in.
-    ///
     /// `None` if the point does not yield; `guess` is a Δp that may come close, or 0.
     fn return_mapping(&self, hardening: &Hardening, point: &Carried, tried: Triple, guess: f64) -> Option<Return> {
         let Operators { stiffness, compliance, quadratic, hosford } = &self.operators;
@@ -290,7 +289,6 @@ impl Operators {
     }
 
     /// P at n = S D⁻¹ η by Newton's method for the ratio x of n, which rises with that of η from −1 to 1.
-    ///
     /// `near` is a ratio close to the root, and becomes the root.
     fn curvature(&self, hosford: &Hosford, eta: Triple, m: f64, increment: f64, near: &mut Option<f64>) -> Orthotropic {
         let (major, minor, swapped) = ordered(eta);

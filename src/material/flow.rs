@@ -164,7 +164,6 @@ impl Iterate {
     }
 
     /// Evaluates the law at a strain increment and moves on to it.
-    ///
     /// With a rate law and a thermal law σ_y = σ_s(ε̄) g(Δε̄_reg/Δt) h(T), times the factor of the point's
     /// [`Surroundings`]. With Δε for Δt ε̇, which is (1 + a) times as steep, the matrices are
     ///

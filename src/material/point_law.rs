@@ -13,7 +13,6 @@ pub trait PointLaw {
     type Iterate;
 
     /// Stress and tangent at the strain increment `e`; moves the iterate on.
-    ///
     /// The increment differs by ± `spread` over the point's part; elastoplastic and voided metal ignore it.
     fn respond(&self, point: &Self::PointState, iterate: &mut Self::Iterate, e: Triple, spread: [f64; 2]) -> Response;
 

@@ -1,8 +1,7 @@
 //! Tables of studies on the disk, whole or as shards. While one is made, `.study.csv.rows` has its rows and `.study.csv.curves`
 //! their curves; `.study.csv.lock` is held by the process that writes them.
 //!
-//! A killed run may leave one incomplete last row, which resuming removes. Shard k of n has the designs k − 1, k − 1 + n,
-//! k − 1 + 2n, …: neighbours, which cost alike, go to different shards.
+//! A killed run may leave half a last row, which resuming removes. Shard k of n has the designs k − 1, k − 1 + n, …
 
 use super::run_table::{BEGINNING, record};
 use super::*;

@@ -244,8 +244,7 @@ impl<Q: Dimensioned> Visitor<'_> for Written<Q> {
     }
 }
 
-/// Reads a plain number in the solver's unit as a quantity is written, for fields of solver types:
-/// `#[serde(with = "As::<Positive<Stress>>")] k: f64`, or an `Option<f64>` with a default.
+/// Reads a number as a quantity: `#[serde(with = "As::<Positive<Stress>>")] k: f64`, or an `Option<f64>` with a default.
 pub struct As<Q>(PhantomData<Q>);
 
 impl<Q: Dimensioned> As<Q> {

@@ -56,8 +56,7 @@ pub struct Stage {
     trim_diameter: Option<Positive<Length>>,
     /// Response to strain.
     pub mode: Option<Mode>,
-    /// Takes the tools away: the contact forces fade to zero, and the sheet springs back. True, or the stiffness of the
-    /// iterations: "updated", which true means, or "constant".
+    /// Takes the tools away: contact forces fade, and the sheet springs back. True or "updated", or "constant" stiffness.
     release: Option<Release>,
     /// Speed of the tool that goes furthest; that of the first stage when not given.
     speed: Option<Positive<Speed>>,

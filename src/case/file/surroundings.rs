@@ -55,8 +55,7 @@ enum InitialTemperature {
     Uniform(Positive<Temperature>),
     /// By the tools: under the punch, from the die's throat outward, straight in between.
     Zones(Zones),
-    /// CSV file, looked up from the case file's folder: columns `s0_mm,temperature_C`, s0 rising; straight in between,
-    /// held before the first and beyond the last.
+    /// CSV file beside the case: `s0_mm,temperature_C`, s0 rising; straight in between, held beyond its ends.
     File(String),
 }
 

@@ -52,8 +52,7 @@ fn on_a_node(model: &Model) -> (f64, f64) {
 }
 
 /// Trust: the closed forms of the thick sphere and the thick tube in plane strain, which flow through. What a shell with a
-/// face and a normal stress misses is of second order in t/R; one third of (t/R)² by hand for the sphere, a twelfth for the
-/// tube. The mesh's share is (h/R)²/8 = 7e-6.
+/// face and a normal stress misses is of second order in t/R: (t/R)²/3 by hand for the sphere, (t/R)²/12 for the tube.
 #[test]
 fn thick_shells_flow_at_the_pressure_of_the_closed_form_but_for_second_order() {
     for slender in [0.02, 0.1, 1.0 / 3.0] {

@@ -63,8 +63,7 @@ impl NonlocalAverage {
     }
 }
 
-/// Trust: 1.5 mm on either side of the middle of an element of 1 mm are itself and its two neighbours; half of the
-/// second one's neighbour on the axis is its own mirror image.
+/// Trust: 1.5 mm about the middle of an element of 1 mm are itself, both neighbours and half of the next ones.
 #[cfg(test)]
 #[test]
 fn the_mean_is_that_of_the_length_within_reach() {
