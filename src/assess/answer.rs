@@ -130,8 +130,7 @@ fn thinnest(stages: &[StageSolution], end: &StepRecord, is_torn: bool) -> Option
 type Peak<'a> = Option<(usize, &'a StepRecord, f64)>;
 
 fn largest(stages: &[StageSolution], values: fn(&StageSolution) -> Vec<f64>) -> Peak<'_> {
-    let steps =
-        formed(stages).flat_map(|(i, stage)| stage.steps.iter().zip(values(stage)).map(move |(s, v)| (i, s, v)));
+    let steps = formed(stages).flat_map(|(i, on)| on.steps.iter().zip(values(on)).map(move |(s, v)| (i, s, v)));
     steps.max_by(|a, b| a.2.total_cmp(&b.2)).filter(|(.., value)| *value > 0.0)
 }
 

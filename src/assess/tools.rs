@@ -13,9 +13,8 @@ use crate::solver::solution::NodeRecord;
 const DRY: f64 = 0.3;
 /// Smallest gap over the thickness \[–\]; rounded sums of decimals may miss it.
 const LEAST: f64 = 1.0 - 1e-6;
-/// Overlap of tools over the thickness \[–\] and force \[N, or N/mm\] that count, and travels at which tools may meet.
+/// Overlap of tools over the thickness that counts \[–\], and number of travels at which it is looked for.
 const OVERLAP: f64 = 1e-3;
-const TOUCH: f64 = 1e-6;
 const LOOKS: usize = 16;
 /// Gap over the thickness above which a wall is neither straight nor to size, declared \[–\].
 const WIDE: f64 = 1.5;
@@ -72,7 +71,7 @@ pub(super) fn idle(run: &Run) -> Option<Finding> {
     let last = run.stages.last().filter(|last| last.stop.is_complete())?;
     let touches = |name: &str| {
         let mut peaks = run.stages.iter().flat_map(StageSolution::further_peaks);
-        peaks.any(|(_, other, peak)| other == name && peak > TOUCH)
+        peaks.any(|(_, other, peak)| other == name && peak > 0.0)
     };
     let names: Vec<&str> = last.model.further.iter().map(String::as_str).filter(|name| !touches(name)).collect();
     let name = *names.first()?;

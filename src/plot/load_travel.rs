@@ -52,9 +52,8 @@ pub(super) fn panel(view: &StageView, height: f64) -> Option<Panel> {
     let (over, y, fields) = if view.is_by_gas() {
         (POLE_HEIGHT, PRESSURE.axis(extent), vec![PRESSURE])
     } else {
-        let works = model.worker().further().is_none();
         let acts = |field: &Field<StepRecord>| steps.iter().any(|step| (field.value)(step) != 0.0);
-        let punch = [PUNCH_FORCE].into_iter().filter(|force| works || acts(force));
+        let punch = [PUNCH_FORCE].into_iter().filter(|force| model.worker().further().is_none() || acts(force));
         let fields: Vec<_> = punch.chain([HOLDER_FORCE, PAD_FORCE, EDGE_FORCE].into_iter().filter(acts)).collect();
         let several = fields.len() > 1 || !model.further.is_empty();
         let y = if several { Axis::named("Force", extent.force_unit()) } else { PUNCH_FORCE.axis(extent) };

@@ -3,8 +3,7 @@
 use crate::common::prelude::*;
 use crate::house::rooms;
 
-/// Rooms of `src/` from the top down, as the developer's guide has them; a room may use those on its own line (itself) and on
-/// lines below.
+/// Rooms of `src/` from the top down; a room may use those on its own line (itself) and on lines below.
 fn floors() -> Vec<Vec<&'static str>> {
     let rows = include_str!("../../docs/developer.md").lines();
     let rows = rows.filter_map(|line| line.strip_prefix("| `")?.split_once("` |"));

@@ -28,8 +28,7 @@ fn jumps(stage: &StageSolution) -> Vec<[f64; 2]> {
     jumps.map(|pair| [pair[0].travel, pair[1].travel]).collect()
 }
 
-/// Trust: the flare of a first cup that is not pushed through stands off the second die's cone until it is drawn down to it; then the whole rim has to
-/// go in at once.
+/// Trust: the flare of a first cup is off the second die until drawn down to it; then the whole rim goes in at once.
 #[test]
 fn the_jump_of_a_redraws_force_is_the_rim_that_meets_the_die() {
     let solution = solved("redraw", &["stop.drawn_through=false", "tools.punch.travel=45 mm"]);

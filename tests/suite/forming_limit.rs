@@ -185,8 +185,7 @@ fn stepped(stress: impl Fn(f64) -> f64, imperfection: f64, alpha: f64, step: f64
     }
 }
 
-/// Trust: another integration of the same equations, first order in its steps of 1e-4: three times the 0.2 % to which the
-/// limit settles.
+/// Trust: another integration of the same equations, of first order: three times the 0.2 % of the limit.
 #[test]
 fn the_groove_in_biaxial_stretching_is_what_small_steps_give() {
     let material = Material::plain(Hardening::Swift(SwiftLaw::new(500.0, 0.2, 0.01).expect("valid")));

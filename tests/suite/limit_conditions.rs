@@ -15,8 +15,7 @@ fn computed(imperfection: f64) -> [Kind; 3] {
     [Kind::Hill(Hill { n: None }), Kind::Swift(Swift { n: None }), Kind::MarciniakKuczynski(groove(imperfection))]
 }
 
-/// Trust: Hosford's condition of exponent 2 is Hill's: the same curves to 1e-9, round-off through an integration whose steps
-/// are halved alike.
+/// Trust: Hosford's condition of exponent 2 is Hill's: the same curves to 1e-9, round-off of an integration.
 #[test]
 fn an_exponent_of_two_gives_the_curves_of_hill_1948() {
     for r in [1.0, 1.7] {

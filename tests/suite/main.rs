@@ -1,5 +1,4 @@
-//! All tests of the program but those of private items, which stand beside them; one program, so that the library is linked
-//! once.
+//! All tests of the program but those of private items, which stand beside them; one program, linked once.
 //!
 //! `cargo test --test suite outputs::` runs one file of it, `cargo test --test suite verify_` all comparisons with closed forms
 //! and experiments. The tests share a process: none changes its folder, its environment or its panic hook, and each

@@ -81,8 +81,7 @@ fn the_bands_of_a_cup_are_where_its_tools_are() {
     assert_eq!(cup[4].elements.end, stage.model.blank.elements);
 }
 
-/// Trust: by hand, from what the cases draw: a punch that is round from the axis on, a free bulge, a box of superplastic
-/// sheet, a strip.
+/// Trust: by hand: a punch round from the axis on, a free bulge, a box of superplastic sheet, a strip.
 #[test]
 fn bands_are_named_by_the_tools_that_made_them() {
     for (case, expected) in [

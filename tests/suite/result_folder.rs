@@ -96,8 +96,7 @@ fn cases() -> temp_dir::TempDir {
     dir
 }
 
-/// Trust: signals at moments of even distances, half of them in the last quarter, where files are written; beside a file of
-/// other origin.
+/// Trust: signals at even distances, half of them in the last quarter, where files are written; beside another file.
 #[cfg(unix)]
 #[test]
 fn a_verb_that_is_ended_at_any_moment_leaves_one_whole_set() {

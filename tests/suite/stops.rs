@@ -137,8 +137,7 @@ fn a_cup_that_is_to_go_through_the_die_ends_as_wished_behind_the_shoulder() {
     assert!(judged.statement().contains("not through the die"), "{judged:?}");
 }
 
-/// Trust: nothing holds a punch back; the forces of the first draw's tools fade; the bend's gap is less than its sheet at the
-/// end of its way.
+/// Trust: nothing holds a punch back; the first draw's forces fade; the bend's gap is less than its sheet at the end.
 #[test]
 fn what_is_drawn_back_goes_all_the_way_and_what_bottoms_ends_as_closed() {
     for (name, overrides, kind, is_remedied) in [

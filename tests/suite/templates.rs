@@ -102,8 +102,7 @@ fn a_tear_of_coarse_runs_does_not_end_a_plan() {
     assert!(case.text.contains("corrected by runs") && !case.text.contains("Its run tears"), "{}", case.text);
 }
 
-/// Trust: the gap, and a penalty's penetration of some percent more; a wide gap is doubted by its row, whose advice makes it
-/// green.
+/// Trust: the gap, and a penalty's penetration of some percent more; the advice of a wide gap makes it green.
 #[test]
 fn the_last_draw_irons_the_wall_to_its_clearance() {
     let redraw = |option: &str, gap: &str| {
@@ -121,8 +120,7 @@ fn the_last_draw_irons_the_wall_to_its_clearance() {
     assert_eq!(redraw("clearance", "1.45t").0.light, Light::Green);
 }
 
-/// Trust: rings in equal shares, and a wall is as thick as its ring's gap but for the tools' penalty: 1000 MPa over 30 000 on two
-/// faces, 7 %.
+/// Trust: rings in equal shares, a wall as thick as its gap but for the penalty: 1000 MPa over 30 000 twice, 7 %.
 #[test]
 fn rings_iron_the_wall_in_equal_shares() {
     let case = made("cup", &[("wall", "0.8 mm"), ("rings", "2")], &[]);
@@ -157,8 +155,7 @@ fn the_blank_is_the_textbooks() {
     assert!((rules::blank_of(rules::cup_area(30.0, 0.0, 20.0)).powi(2) - (900.0 + 4.0 * 30.0 * 10.0)).abs() < 1e-9);
 }
 
-/// Trust: the travel is corrected by four runs, each by what straight legs say; the last error is a hundredth of the first's few
-/// degrees.
+/// Trust: the travel is corrected by four runs; the last error is a hundredth of the first's few degrees.
 #[test]
 fn a_v_has_its_angle_before_it_springs_back() {
     let other: &[(&str, &str)] = &[("thickness", "2 mm"), ("friction", "0.15"), ("n", "0.15")];

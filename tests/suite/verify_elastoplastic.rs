@@ -149,8 +149,7 @@ fn a_strip_bent_to_a_ring_springs_open_by_its_moment() {
     }
 }
 
-/// Trust: stress of an elastic-perfectly plastic strip under ε₀ + κζ, integrated by hand between the places where it
-/// yields.
+/// Trust: stress of an elastic-perfectly plastic strip under ε₀ + κζ, by hand between the places where it yields.
 #[test]
 fn bending_under_tension_is_the_closed_form() {
     let (s, modulus, first) = strip();

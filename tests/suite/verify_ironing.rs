@@ -100,8 +100,7 @@ fn entering(elements: &[ElementRecord], clearance: f64) -> Option<&ElementRecord
     })
 }
 
-/// What the slab method gives for what `enters` under a `tension` \[MPa\]: force of the die on one wall \[N/mm\], and thickness behind the
-/// land \[mm\].
+/// Slab method for what `enters` under a `tension` \[MPa\]: force on one wall \[N/mm\], thickness behind the land \[mm\].
 fn slab(model: &Model, clearance: f64, enters: &ElementRecord, tension: f64) -> (f64, f64) {
     let settings = &model.settings;
     let penalty = Penalty { stiffness: settings.contact_stiffness, smoothing: settings.contact_smoothing };

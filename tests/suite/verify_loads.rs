@@ -152,8 +152,7 @@ fn bead_restrains_while_the_sheet_passes_it() {
     for r in run.steps.iter().filter(|r| r.travel > 22.0 && r.draw_in < 16.0) {
         assert!((wall(r) / 45.0 - 1.0).abs() < 0.01, "{} N/mm at {} mm", wall(r), r.travel);
     }
-    // As long as the holder has hold of its width: then its force fades. In single steps the chain of chords ticks over the
-    // die's edge.
+    // As long as the holder has hold of its width: then its force fades. Single steps tick over the die's edge.
     let passed = run.steps.iter().filter(|r| r.draw_in > 21.0 && r.holder_force > 198.0);
     let walls: Vec<f64> = passed.map(wall).collect();
     let mean = mean(walls.iter().copied());

@@ -7,8 +7,7 @@ pub fn orders(sizes: &[f64], errors: &[f64]) -> Vec<f64> {
     (1..errors.len()).map(|i| log(errors, i - 1) / log(sizes, i - 1)).collect()
 }
 
-/// p where the limit is not known, or is not quite the closed form: from the changes of a value when the size is halved
-/// again and again.
+/// p where the limit is not known: from the changes of a value when the size is halved again and again.
 pub fn orders_of_changes(values: &[f64]) -> Vec<f64> {
     let changes: Vec<f64> = values.windows(2).map(|w| w[1] - w[0]).collect();
     changes.windows(2).map(|w| (w[0] / w[1]).abs().log2()).collect()

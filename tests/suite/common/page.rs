@@ -35,8 +35,7 @@ pub fn agrees(sentence: &str, figures: &[String]) {
     told("docs/agreement.md", sentence, figures);
 }
 
-/// Holds a sentence of a file of the project to its figures: each `{}` of it is one of them. It may go over lines of a text, and
-/// of a comment.
+/// Holds a sentence of a file to its figures, each `{}` one of them; it may go over lines of a text or comment.
 pub fn told(file: &str, sentence: &str, figures: &[String]) {
     const FIGURE: &str = r"([+−-]?[0-9]+(?:[.,][0-9]+)?(?:e[−-]?[0-9]+)?)";
     let pattern = regex::escape(sentence).replace(r"\{\}", FIGURE).replace(' ', r"\s+(?:# )?");
