@@ -126,7 +126,7 @@ impl<R> Field<R> {
 }
 
 /// Name of a tool as a part of a key.
-pub(crate) fn keyed(name: &str) -> String {
+pub fn keyed(name: &str) -> String {
     name.to_lowercase().replace(|c: char| !c.is_alphanumeric(), "_")
 }
 
