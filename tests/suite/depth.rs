@@ -1,5 +1,4 @@
-//! What forces and works of a plane section are of: both halves, and over a depth that is given the whole part; and which times
-//! are told.
+//! Forces and works of a plane section: of both halves, and over a given depth the whole part; and which times show.
 
 use crate::common::prelude::*;
 

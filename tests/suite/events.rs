@@ -62,8 +62,7 @@ fn events_stand_where_other_figures_have_them() {
     assert_eq!(kinds(&found), THROUGH);
     let holder = cup.model.tools.iter().position(|tool| tool.role == Role::Holder).unwrap();
     assert_eq!(Some(found[0].travel), cup.left_at[holder]);
-    // The shoulder begins at throat + shoulder, and 5° round it the edge is R sin 5° = 0.6 mm further in; a step draws the edge
-    // in by about 0.6 mm.
+    // The shoulder begins at throat + shoulder; 5° round it is R sin 5° = 0.6 mm further in, about a step.
     let begins = cup.model.tool(Role::Die).unwrap().profile.corners().map(|arc| arc.center.x).fold(0.0, f64::max);
     let edge = cup.model.blank.length - cup.steps.iter().find(|s| s.travel >= found[1].travel).unwrap().draw_in;
     assert!(edge < begins && edge > begins - 1.5, "{edge} {begins}");

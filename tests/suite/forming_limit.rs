@@ -238,8 +238,7 @@ fn paths_are_judged_by_their_ends_their_bends_and_when_they_cross() {
     assert!(assess(&curve, &Paths::default()).is_none());
 }
 
-/// Trust: counted. Whatever the number of steps, the start, the end and evenly spaced instants between are held, every one
-/// up to the limit.
+/// Trust: counted: the start, the end and evenly spaced instants between are held, every one up to the limit.
 #[test]
 fn paths_of_any_length_are_thinned_evenly() {
     for steps in [1, 7, Paths::MOST, Paths::MOST + 1, 3 * Paths::MOST + 5, 100_000] {

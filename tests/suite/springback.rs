@@ -54,8 +54,7 @@ fn hat(elements: usize, overrides: &[&str]) -> Solution {
 }
 
 /// Trust: an upright wall between punch and die is straight, by a sag of some micrometres; released, the curl of a wall that was
-/// bent over the die and back is what is known of hats. Twice the elements change no angle by more than two of the tenths
-/// that are written.
+/// bent over the die and back is known of hats. Twice the elements change no angle by more than two tenths.
 #[test]
 fn a_wall_between_the_tools_is_straight_and_angles_have_the_digits_of_the_mesh() {
     let [coarse, fine] = [97, 194].map(|elements| released(&hat(elements, &[])));

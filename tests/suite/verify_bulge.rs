@@ -138,8 +138,7 @@ fn thin_and_thick_discs_converge_towards_and_above_the_membrane() {
 }
 
 /// How far a drawing steel is from Hill's special solution, which is used for it all the same in bulge tests: it hardens less
-/// than exp(ε̄), so the dome is thicker at the pole while it still hardens fast, and runs away there after the largest
-/// pressure.
+/// than exp(ε̄), so the dome is thicker at the pole at first, and runs away there after the largest pressure.
 #[test]
 fn steel_deviates_from_hills_solution_as_it_must() {
     let poles = poles(disc(Theory::Membrane, 0.5, 80, steel(0.22), held(1.0)));

@@ -45,8 +45,7 @@ fn adiabatic_heating_keeps_the_energy() {
 
 /// Trust: closed form. In plane strain ε̄ = 2ε/√3 and dT = β σ_s exp(−b (T − T_r)) dε̄/(ρ c), hence
 /// exp(b ΔT) = 1 + b β/(ρ c) ∫σ_s dε̄. The temperature is foreseen for the end of the step and the work is the trapezoidal
-/// rule's; a temperature that lagged by a step would miss 0.17 % with 100 steps. The first step, whose stress jumps from
-/// nothing, is tiny.
+/// rule's; a lag of a step would miss 0.17 % with 100 steps. The first step, whose stress jumps, is tiny.
 #[test]
 fn adiabatic_softening_follows_its_closed_form() {
     let error = |max_step: f64| {

@@ -102,8 +102,7 @@ fn analysis(m: f64, largest: f64) -> Vec<f64> {
     outside
 }
 
-/// Trust: elements ten thicknesses long know of the neck what the one-dimensional analysis does, the force. What is left is the
-/// implicit step.
+/// Trust: elements ten thicknesses long know the force alone, as the analysis does; the rest is the implicit step.
 #[test]
 fn necking_strain_rises_with_the_rate_sensitivity_as_the_long_wavelength_analysis_says() {
     let (mut before, mut told) = (0.0, [Vec::new(), Vec::new()]);
