@@ -1,7 +1,7 @@
 //! Drawing of cups: draw ratios, size of the blank, wrinkles, ears, trimming.
 
 use super::estimate::{draw_ratio, has_land, held_area, siebel_pressure};
-use super::{holder::if_open, tear::is_upright, *};
+use super::{holder::if_open, tear::nose, *};
 use crate::case::Finished;
 use crate::measure::{part_height, wall_at};
 use crate::model::Blank;
@@ -122,7 +122,7 @@ pub(super) fn wall_wrinkles(run: &Run) -> Option<Finding> {
     let mut redraws = run.stages.iter().enumerate().skip(usize::from(!is_redrawn));
     let text = match redraws.find(|(_, stage)| is_free(&stage.model)) {
         _ if !is_flat && !is_redrawn => "a wall that is pressed along or around may buckle out of its circle".into(),
-        _ if !is_redrawn && !is_upright(first).unwrap_or(false) => {
+        _ if !is_redrawn && nose(first).is_none_or(|(_, is_upright)| !is_upright) => {
             "part of the wall hangs free between punch and die".into()
         }
         _ if is_domed => "the ring round the dome hangs free until the punch has come to it".into(),

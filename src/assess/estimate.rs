@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::material::flow::ROOM_TEMPERATURE;
-use crate::model::tool_sizes::{gap, mouth, shoulder_end, throat, widens};
+use crate::model::tool_sizes::{embosses, gap, mouth, shoulder_end, throat, widens};
 pub(crate) use crate::rules::{siebel, tensile_strength};
 use crate::solver::mesh;
 use std::f64::consts::FRAC_PI_2;
@@ -22,11 +22,9 @@ pub(super) fn has_land(model: &Model) -> bool {
 /// Blank over the punch's [`mouth`], where a blank is drawn in over a punch that is smaller.
 pub(crate) fn draw_ratio(model: &Model) -> Option<f64> {
     let punch = model.tool(Role::Punch)?;
-    // A punch and a die with a bottom, both as wide as the blank, emboss it.
-    let embossed =
-        model.tool(Role::Die).is_some_and(|die| throat(die).is_none()) && extent(punch).1 >= model.blank.length;
     let is_flat = model.blank.meridian.is_none();
-    let drawn = is_flat && model.geometry == Geometry::Axisymmetric && model.blank.edge == Edge::Free && !embossed;
+    let drawn =
+        is_flat && model.geometry == Geometry::Axisymmetric && model.blank.edge == Edge::Free && !embosses(model);
     let ratio = model.blank.length / mouth(punch, model.travel);
     (drawn && ratio > 1.0 && ratio.is_finite()).then_some(ratio)
 }

@@ -154,7 +154,6 @@ impl<'a> Run<'a> {
         self.stages.iter().flat_map(|stage| &stage.steps)
     }
 
-    /// Largest of a figure over all stages, or 0; `None` without a step.
     fn largest(&self, value: impl Fn(&StepRecord) -> f64) -> Option<f64> {
         self.steps().map(value).reduce(f64::max).map(|largest| largest.max(0.0))
     }

@@ -9,7 +9,6 @@ use crate::measure::{Change, EDGE, FLANGE_ANGLE, OPENING_ANGLE, Shape, WALL_ANGL
 const NEAR: f64 = 0.8;
 /// A wall that leans less from the punch's was drawn against it \[°\]; a strip bent in air leans by tens of degrees.
 const BESIDE: f64 = 8.0;
-/// Further measures of the row: what Numisheet '93 has, and the flange.
 const MEASURES: [&str; 4] = ["bottom_to_wall", "wall_to_flange", "curl_radius", FLANGE_ANGLE.key];
 
 struct Judged<'a> {
@@ -141,7 +140,6 @@ impl Judged<'_> {
         self.missed.abs() / self.tolerance
     }
 
-    /// `Opening angle 90.0° → 94.9°, each wall opens by 2.5°`.
     fn text(&self) -> String {
         let quantity = self.change.quantity;
         let from = format!("{} {}", quantity.label, self.change);
@@ -155,7 +153,6 @@ impl Judged<'_> {
         format!("{from}, each wall {verb} by {}", quantity.difference_text(share * change.abs()))
     }
 
-    /// `0.0° ± 1.0° of the punch's wall`.
     fn limit(&self) -> String {
         let quantity = self.change.quantity;
         let of = if self.of_punch { " of the punch's wall" } else { "" };

@@ -3,6 +3,7 @@
 use super::*;
 use crate::geometry::Arc;
 use crate::measure::{bottom, element_at, place_on_part};
+use crate::model::tool_sizes::embosses;
 
 /// Thinning from which a designer looks twice \[–\].
 pub(super) const CAREFUL: f64 = 0.20;
@@ -154,7 +155,11 @@ fn on_part(stage: &StageSolution, s0: f64) -> String {
     });
     let (r, above) = at.unwrap_or((s0, None));
     let above = above.filter(|_| stage.model.tool(Role::Punch).is_some());
-    let end = if stage.model.blank.is_open() { "from the far end" } else { "above the bottom" };
+    let end = match stage.model.blank.is_open() {
+        true => "from the far end",
+        false if embosses(&stage.model) => "below the boss",
+        false => "above the bottom",
+    };
     let above = above.map_or_else(String::new, |above| format!("{} {end}", Amount::place(above)));
     let measures = joined([format!("{} from the {from}", Amount::place(r)), above], ", ");
     place_on_part(stage, s0).map_or_else(|| measures.clone(), |place| format!("{place} ({measures})"))
@@ -163,17 +168,16 @@ fn on_part(stage: &StageSolution, s0: f64) -> String {
 /// Cosine of a wall's lean up to which it counts as upright, to a degree.
 const UPRIGHT: f64 = 0.9998;
 
-/// Whether the punch's nose ends in an upright wall; `None` for a punch without a flat bottom as wide as the sheet is thick.
-pub(super) fn is_upright(stage: &StageSolution) -> Option<bool> {
-    let nose = nose(stage.model.tool(Role::Punch)?)?;
-    let end = nose.at(0.0).x.max(nose.at(1.0).x);
-    (inner(&nose) > stage.model.blank.thickness).then(|| (end - nose.center.x) / nose.radius > UPRIGHT)
-}
+/// Sine of the slope up to which a bottom counts as level, to 20°.
+const LEVEL: f64 = 0.342;
 
-fn nose(punch: &Tool) -> Option<Arc> {
-    punch.profile.corners().min_by(|a, b| inner(a).total_cmp(&inner(b)))
-}
-
-fn inner(arc: &Arc) -> f64 {
-    arc.at(0.0).x.min(arc.at(1.0).x)
+/// Nose of a punch, its innermost corner that begins level, and whether it ends in an upright wall.
+pub(super) fn nose(stage: &StageSolution) -> Option<(Arc, bool)> {
+    let inner = |arc: &Arc| arc.at(0.0).x.min(arc.at(1.0).x);
+    let outward = |arc: &Arc, x: f64| (x - arc.center.x) / arc.radius;
+    let corners = stage.model.tool(Role::Punch)?.profile.corners();
+    let corners =
+        corners.filter(|arc| inner(arc) > stage.model.blank.thickness && outward(arc, inner(arc)).abs() < LEVEL);
+    let nose = corners.min_by(|a, b| inner(a).total_cmp(&inner(b)))?;
+    Some((nose, outward(&nose, nose.at(0.0).x.max(nose.at(1.0).x)) > UPRIGHT))
 }

@@ -1,6 +1,6 @@
 //! Friction, clearance between punch and die, and ironing.
 
-use super::tear::{is_upright, place};
+use super::tear::{nose, place};
 use super::*;
 use crate::geometry::Point;
 use crate::measure::thickest;
@@ -106,7 +106,9 @@ pub(super) fn clearance(run: &Run) -> Option<Finding> {
         if gap < LEAST && estimate::has_land(model) {
             return None;
         }
-        let upright = is_upright(stage).unwrap_or(false);
+        // A straight wall begins where nose and shoulder have passed each other.
+        let shoulder = model.tool(Role::Die)?.profile.corners().map(|arc| arc.radius).fold(0.0, f64::max);
+        let upright = nose(stage).is_some_and(|(nose, upright)| upright && model.travel > nose.radius + shoulder);
         let wide = if upright { WIDE / LEAST } else { f64::INFINITY };
         let wall = stage.frames.last().and_then(thickest).map(|(wall, _)| wall / blank.thickness);
         let wall = wall.filter(|wall| upright && *wall < gap);

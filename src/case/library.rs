@@ -90,7 +90,6 @@ pub struct StandsFor {
     pub because: String,
 }
 
-/// Reads a sheet; without a law of its own it has the one that its band makes.
 fn read(text: SheetText, coil: Option<Coil>) -> Result<Description> {
     let source = source(text)?;
     let mut sheet: Description = source.deserialised()?;

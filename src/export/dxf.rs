@@ -133,7 +133,6 @@ impl Writer {
         self.entity("SEQEND", layer, "");
     }
 
-    /// Arc counter-clockwise, angles in degrees.
     fn arc(&mut self, layer: &str, arc: &Arc) {
         let from = arc.start + arc.sweep.min(0.0);
         self.entity("ARC", layer, "AcDbCircle");

@@ -103,7 +103,6 @@ pub struct MadeLaw {
     pub uniform: f64,
 }
 
-/// Lower and upper end of a property, both the same where one is known.
 fn ends<T: Dimensioned>(limits: &[Limit<T>]) -> Option<[f64; 2]> {
     let low = limits.iter().find_map(|limit| limit.min.or(limit.value));
     let high = limits.iter().find_map(|limit| limit.max.or(limit.value));

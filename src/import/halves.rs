@@ -25,7 +25,6 @@ pub(super) fn right(strokes: Vec<Chain>, tool: ToolId, frame: &Frame) -> Result<
     Ok(chain)
 }
 
-/// Parts of a stroke on either side of the axis, without those along it; points within a joint's width are on the axis.
 fn cut(stroke: &Chain, frame: &Frame) -> Vec<Chain> {
     let on_axis = |p: Point| if p.x.abs() <= frame.join { Point::new(0.0, p.y) } else { p };
     let (source, mut parts) = (stroke.source(0), Vec::<Vec<Piece>>::new());

@@ -136,7 +136,6 @@ fn by_places(chains: &[(ToolId, Chain)]) -> Option<(Heading, String)> {
     })
 }
 
-/// Two measures of a point, the second one among those with nearly the largest first.
 type Measure<'a> = &'a dyn Fn(Point) -> [f64; 2];
 
 fn sheet_side(tool: ToolId, chain: Chain, heading: Heading, frame: &Frame) -> Result<Chain> {

@@ -10,7 +10,7 @@
 //! A release, or a stage whose punch leaves the sheet, keeps the bands of its start.
 
 use crate::geometry::{Piece, Point, Profile, on_axis};
-use crate::model::{Geometry, Model, Role, Tool};
+use crate::model::{Geometry, Model, Role, Tool, tool_sizes::embosses};
 use crate::numerics::running_sums;
 use crate::solver::solution::{Frame, NodeRecord, StageSolution};
 use std::ops::Range;
@@ -31,6 +31,7 @@ named! {
     /// Name: `punch radius`.
     fn name;
     Bottom: "bottom", "Level sheet on the punch or on the bottom of a die.";
+    Boss: "boss", "Level sheet in the middle of an embossing.";
     Dome: "dome", "Sheet on a punch that is round from the axis on, or free under gas.";
     PunchRadius: "punch radius", "Bend around the punch's edge.";
     Wall: "wall", "Steep sheet, free between punch and die or along one of them.";
@@ -70,7 +71,7 @@ impl std::fmt::Display for PartPlace {
     /// `in the wall, next to the punch radius`
     fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
         let preposition = match self.band {
-            Band::Dome | Band::PunchRadius | Band::DieRadius | Band::HolderRadius => "on",
+            Band::Boss | Band::Dome | Band::PunchRadius | Band::DieRadius | Band::HolderRadius => "on",
             Band::Bottom | Band::Wall | Band::Unsupported | Band::DieCorner | Band::Flange => "in",
             Band::Tool => "at",
         };
@@ -147,7 +148,6 @@ fn is_punch(contact: &NodeContact) -> bool {
 /// Band, and further tool, of a node.
 type Named = (Band, Option<Role>);
 
-/// Band of each node by the frame in which the tools formed it; `None` if no punch, further tool or gas did.
 fn bands_of_nodes(stage: &StageSolution, last: &Frame) -> Option<Vec<Named>> {
     let forms = |contact: &NodeContact| is_punch(contact) || contact.band == Band::Tool;
     let punched = |contacts: &[Option<NodeContact>]| contacts.iter().flatten().any(forms);
@@ -156,7 +156,16 @@ fn bands_of_nodes(stage: &StageSolution, last: &Frame) -> Option<Vec<Named>> {
     let start = start.map(|start| (start, contacts(&stage.model, start)));
     let (frame, contacts) = start.filter(|(_, contacts)| punched(contacts)).unwrap_or((last, end));
     let formed = punched(&contacts) || !stage.model.gas.is_empty() && contacts.iter().any(Option::is_some);
-    formed.then(|| node_bands(stage.model.geometry, frame, &contacts))
+    let mut names = formed.then(|| node_bands(stage.model.geometry, frame, &contacts))?;
+    if let Some(die) = stage.model.tool(Role::Die).filter(|_| embosses(&stage.model)) {
+        let boss = names.iter().take_while(|name| name.0 == Band::Bottom).count();
+        names[..boss].fill((Band::Boss, None));
+        for (name, node) in names.iter_mut().zip(&frame.nodes).filter(|(name, _)| name.0 == Band::Bottom) {
+            let at = Point::new(node.r, node.z);
+            name.0 = of_piece(stage.model.geometry, die, die.profile.closest(at).piece, at);
+        }
+    }
+    Some(names)
 }
 
 fn contacts<'a>(model: &'a Model, frame: &Frame) -> Vec<Option<NodeContact<'a>>> {

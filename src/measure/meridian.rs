@@ -120,6 +120,7 @@ impl Meridian {
                     (true, _) => stretches.push((run, between.signum())),
                 }
             }
+            let before = legs.len();
             for (nodes, sense) in stretches {
                 let curl = outer.map_or(0.0, |bend| bend.sense * self.mean_curvature(&nodes) / bend.curvature).max(0.0);
                 let flat = FLAT + (1.0 - FLAT) * curl;
@@ -131,6 +132,13 @@ impl Meridian {
                 let end = outer.map_or(self.along[end - 1], |b| self.crossing(end, end - 1, |i| turned(i, b, flat)));
                 legs.extend(self.leg([start, end], sense));
             }
+            // Without a straight stretch the slope of the wall is that of its inflection.
+            let opposite = outer.filter(|bend| bend.sense != inner.sense && legs.len() == before);
+            legs.extend(opposite.and_then(|bend| {
+                let i = (inner.sharpest..bend.sharpest).find(|i| inner.sense * self.curvature[i + 1] <= 0.0)?;
+                let (at, half) = (self.crossing(i, i + 1, |i| inner.sense * self.curvature[i]), 0.5 * self.thickness);
+                Some(Stretch { ends: [at - half, at + half], sense: inner.sense })
+            }));
         }
         legs
     }

@@ -3,8 +3,9 @@
 //! # Legs
 //! A **leg** is a stretch of the meridian between bends of ten degrees or more, or a bend and the free edge. It begins and ends
 //! where the curvature falls to a quarter of the bend's; towards an outer bend of its own sense, where a curled leg's curvature
-//! has risen by a quarter of the difference. The **wall** is the steepest leg behind a bend that made the sheet descend; the
-//! **flange** is the outermost leg, behind a bend that brought it back. A tenth of a leg's length at both ends is left out.
+//! has risen by a quarter of the difference. Where two bends of opposite sense meet, it is a thickness about their inflection.
+//! The **wall** is the steepest leg behind a bend that made the sheet descend; the **flange** is the outermost leg, behind a
+//! bend that brought it back. A tenth of a leg's length at both ends is left out.
 //!
 //! # Angles
 //! ```text

@@ -1,6 +1,6 @@
 //! Sizes of tools measured on their sections.
 
-use super::{Role, Tool};
+use super::{Geometry, Model, Role, Tool};
 use crate::geometry::{Piece, Point, Profile, Segment};
 use crate::numerics::bisect;
 
@@ -47,6 +47,13 @@ pub fn widens(punch: &Tool, travel: f64) -> bool {
 /// Radius or half-width of the die's opening \[mm\]; `None` for a die with a bottom, which reaches the axis.
 pub fn throat(die: &Tool) -> Option<f64> {
     (die.profile.last().x > 1e-6).then(|| extent(die).0)
+}
+
+/// True of a round punch and a die with a bottom that are both as wide as the flat blank.
+pub fn embosses(model: &Model) -> bool {
+    let is_wide = |punch: &Tool| model.blank.meridian.is_none() && extent(punch).1 >= model.blank.length;
+    let is_closed = model.tool(Role::Die).is_some_and(|die| throat(die).is_none());
+    model.geometry == Geometry::Axisymmetric && is_closed && model.tool(Role::Punch).is_some_and(is_wide)
 }
 
 /// Smallest distance of two tools at a travel of the punch \[mm\], negative where they overlap, and the place \[mm\].

@@ -36,7 +36,6 @@ pub fn plot(view: &StageView) -> Option<Chart> {
     Some(view.chart("forming limit diagram", vec![panel], std::iter::once(summary(view, assessment)).chain(sources)))
 }
 
-/// Minor and major logarithmic strain of every place, with the paths of some.
 fn diagram(view: &StageView, assessment: &Assessment, limit: &Curve) -> Panel {
     let elements = &assessment.elements;
     let path = |e: usize| {
@@ -101,7 +100,6 @@ fn percent(share: f64) -> Amount {
     Amount::share(share).to(Digits::Decimals(0))
 }
 
-/// Element with the least margin, or the one strained most beyond the end of the curve if none has reached it.
 fn worst(assessment: &Assessment) -> usize {
     let worst = assessment.open().filter(|_| assessment.reached.is_none()).unwrap_or_else(|| assessment.worst());
     assessment.elements.iter().position(|element| element == worst).unwrap_or(0)

@@ -34,7 +34,6 @@ pub(super) fn plot(view: &StageView, file: &str) -> Option<(Chart, &'static str)
     Some((output.chart(view)?, if file == PART && tears_at(view.stage).is_some() { TORN } else { output.about }))
 }
 
-/// Measures before and after the release of the tools; the error bar is that of the released part.
 fn changes(view: &StageView) -> Option<Markup> {
     let rows = tables::springback_changes(view.stage)?.into_iter().map(|change| {
         let unit = change.quantity.unit;

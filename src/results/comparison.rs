@@ -185,7 +185,6 @@ impl<'a> Reference<'a> {
         self.refuse(format!(" has no rows in columns `{}` and `{}` within the range asked for", headers[0], headers[1]))
     }
 
-    /// Band of measured and computed values; an unfinished run has no value at the end.
     fn band(&self, [x, y]: [&Column; 2], computed: &Computed) -> Result<Band, CompareError> {
         let spec = self.spec;
         let errors = spec.error.as_ref().map_or(Ok(Vec::new()), |header| Ok(self.column(header, y)?.0))?;

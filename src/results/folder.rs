@@ -125,7 +125,6 @@ impl ResultFolder {
         fs::remove_dir_all(&self.part)
     }
 
-    /// Links files of other origin that the target has not; false if they are too many.
     fn carry(&self, from: &Path, to: &Path) -> io::Result<bool> {
         let names: Vec<_> = entries(from)?.into_iter().filter(|name| !(self.is_ours)(from, name)).collect();
         for name in names.iter().take(MOST_CARRIED) {

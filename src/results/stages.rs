@@ -20,7 +20,6 @@ pub(super) fn folders(list: &str) -> Vec<String> {
     list.lines().skip(1).map(|line| line.split(',').take(2).collect::<Vec<_>>().join("-")).collect()
 }
 
-/// Names of all stages, how they ended, and the solutions of those that were run; none of a case with one stage.
 fn lines(solution: &Solution) -> Vec<(&str, &str, Option<&StageSolution>)> {
     let stages = solution.stages.iter().map(Some).chain(std::iter::repeat(None));
     let names = solution.case.stages.iter().map(|stage| stage.name.as_str());

@@ -145,7 +145,6 @@ impl LimitSearch {
         self.aim.limits().first().copied().filter(|_| !self.search.is_limit)
     }
 
-    /// The first variable has this value, the others move along.
     fn trial(&self, index: u64, x: f64) -> Design {
         let share = self.search.share(x);
         let others = self.variables[1..].iter().map(|(_, range)| range.spacing.between(range.ends, share));

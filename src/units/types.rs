@@ -50,7 +50,6 @@ impl Kind {
         self.examples.iter().map(quoted).collect::<Vec<_>>().join(" or ")
     }
 
-    /// Error of a bare number; it likely means the solver's unit, degrees, or a share in place of a percentage.
     fn missing_unit(&self, found: &str) -> QuantityError {
         let is_unusual = self.unit == "rad" || self.unit.contains('K') || self.unit.contains("s^2");
         let usual = self.examples[0].split_once(' ').filter(|_| is_unusual).map_or(self.unit, |(_, unit)| unit);

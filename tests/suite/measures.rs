@@ -92,6 +92,8 @@ fn bands_are_named_by_the_tools_that_made_them() {
     ] {
         assert_eq!(names(&bands(&shipped::solved(case).stages[0])), expected, "{case}");
     }
+    let boss = solved_once(&made("emboss", &[], &[]));
+    assert_eq!(names(&bands(&boss.stages[0])), [Band::Boss, Band::PunchRadius, Band::DieRadius, Band::Flange]);
 }
 
 #[test]

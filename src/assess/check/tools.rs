@@ -4,7 +4,7 @@ use super::{Line, line, number, size_of};
 use crate::assess::estimate;
 use crate::contact::friction::Friction;
 use crate::geometry::Piece;
-use crate::model::tool_sizes::{extent, mouth, throat, widens};
+use crate::model::tool_sizes::{embosses, extent, mouth, throat, widens};
 use crate::model::{Bead, Face, Gas, Geometry, Mode, Model, Motion, Pressure, Role, Tool, stage::Stage};
 use crate::rules::Metal;
 use crate::units::{Amount, Digits, Unit, joined};
@@ -37,6 +37,7 @@ pub fn of_tool(model: &Model, tool: &Tool) -> Line {
         Role::Die if closed => ("closed".into(), "by a bottom that reaches the axis"),
         Role::Die => (size_of(model, low, Amount::drawn), "of the throat"),
         Role::Holder => (size_of(model, low, Amount::drawn), "of the inner edge"),
+        Role::Punch if embosses(model) => (size_of(model, high, Amount::drawn), "over all"),
         Role::Upper(_) | Role::Lower(_) => {
             let [low, high] = [low, high].map(|half| (half > 0.0).then(|| size_of(model, half, Amount::drawn)));
             (joined([low, high].into_iter().flatten(), " to "), side)

@@ -30,7 +30,6 @@ pub(super) fn draw(chart: &Chart, width: f64, canvas: &Canvas) -> f64 {
     (y + MARGIN).ceil()
 }
 
-/// Rows of legend entries; gives the lower edge.
 fn legend(chart: &Chart, page: f64, top: f64, canvas: &Canvas) -> f64 {
     let heading = if chart.legend.is_empty() { 0.0 } else { text::width(&chart.legend, TICK) + MARGIN };
     text::draw(canvas, &chart.legend, TICK, BLACK, (MARGIN, top));

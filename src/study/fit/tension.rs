@@ -111,7 +111,6 @@ pub(super) fn rows(csv: &Csv, name: &str, reduction: &Reduction) -> Result<(Vec<
 }
 
 impl Column {
-    /// The first column whose header has one word and none of the others.
     fn find(csv: &Csv, file: &str, any: &[&str], none: &[&str], units: &[Unit]) -> Result<Option<Self>> {
         let is = |header: &str| has_word(header, any) && !has_word(header, none);
         let found = csv.header.fields.iter().enumerate().find(|(_, header)| is(header));

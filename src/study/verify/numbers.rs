@@ -98,7 +98,6 @@ impl Outcome {
     }
 }
 
-/// All computed numbers of a case's solved stages: answer, part, verdict but for its row on the numerics.
 fn numbers(case: &Case, stages: &[StageSolution], findings: &[Finding]) -> Vec<Number> {
     let answer = Answer::of(case, stages, findings).numbers;
     let motion = |role: Role| case.model().tool(role).map(|tool| &tool.motion);
