@@ -65,7 +65,6 @@ fn is_named_as_result(path: &Path) -> bool {
     path.file_name().and_then(|name| name.to_str()).is_some_and(is_result)
 }
 
-/// Path without links, as far as it exists.
 fn real(path: &Path) -> PathBuf {
     let path = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
     let known = path.ancestors().find_map(|there| Some((there, fs::canonicalize(there).ok()?)));

@@ -126,7 +126,6 @@ impl<'a> Explosion<'a> {
     }
 }
 
-/// Source of a placed entity, with the layer of its reference if it has none, or else the block's name as its layer.
 fn placed_source(entity: &Source, placement: &Placement, by: Option<&Source>) -> Source {
     let mut source = Source { at: placement.at(entity.at), ..entity.clone() };
     let Some(by) = by else { return source };

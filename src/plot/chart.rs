@@ -253,7 +253,6 @@ pub(crate) fn bounds(values: impl Iterator<Item = f64>) -> (f64, f64) {
     finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)))
 }
 
-/// Least range of the values with a margin, zero included if leaving it out would save less than half.
 fn fitted(values: impl Iterator<Item = f64>, margin: f64) -> (f64, f64) {
     let (low, high) = bounds(values);
     if low > high {

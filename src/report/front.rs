@@ -72,7 +72,6 @@ fn picture(report: &Report, stage: usize, file: &'static str, mut chart: Chart, 
     (stage, file, chart, report.stage(stage) + about)
 }
 
-/// Forces of a stage, and the punch forces of the other stages over their own travel; or its pressure.
 fn forces(report: &Report, stage: usize) -> Option<FrontPicture> {
     let (view, _) = &report.stages[stage];
     let mut about = if view.is_by_gas() { "pressure over the height of the dome" } else { "forces over the travel" };

@@ -14,7 +14,6 @@ use crate::solver::trace::IterationHistory;
 use crate::table::{Column, Field, JOULES, Table, Unit, keyed, worded};
 use crate::units::ZERO_CELSIUS;
 
-/// Columns of a step, then those of a sheet with voids, with a criterion of fracture and with a temperature.
 const STEP: [Field<StepRecord>; 33] = [
     TRAVEL,
     PUNCH_FORCE,

@@ -181,7 +181,6 @@ impl SideBySide {
         ReportTable::new("overview", &["Quantity"].into_iter().chain(marks).collect::<Vec<_>>(), rows)
     }
 
-    /// Numbers of all runs; of those that only the verdict has the ones that decide whether it tears.
     fn numbers(&self) -> Vec<&Number> {
         let mut numbers: Vec<&Number> = Vec::new();
         for number in self.members.iter().flat_map(|member| &member.outcome.numbers) {

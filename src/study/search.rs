@@ -117,7 +117,6 @@ impl LimitSearch {
         }
     }
 
-    /// Sentence on the nearest run to a target that none reaches, and on the run beside it that fails.
     fn unreached(&self, runs: &RunTable, place: usize, wanted: &str) -> Option<String> {
         let (best, missed) = self.nearest(runs).map(|(best, missed)| (&runs.runs[best], missed))?;
         let (x, value) = (best.value(0), best.numbers[place]);

@@ -150,7 +150,6 @@ impl DrawnTools {
         self.holder.iter().map(|holder| extent(holder).1).fold(extent(&self.die).1, f64::min)
     }
 
-    /// A blank as far as die and holder reach, but no more than one draw takes.
     fn blank_for(&self) -> Picked {
         let (drawn, reach) = (down(RATIO * self.mouth()), self.reach());
         match drawn < reach && drawn > shoulder_end(&self.die) {

@@ -63,7 +63,6 @@ pub(super) fn conical(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseErro
     Ok(sizes)
 }
 
-/// Punch: flat, nose, cone up to the mouth, and a straight wall below it.
 fn cone(flat: f64, mouth: f64, depth: f64, nose: f64, angle: f64) -> String {
     let nose_end = Point::new(flat + nose * angle.cos(), -nose + nose * angle.sin());
     let steps = [
