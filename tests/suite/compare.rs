@@ -125,8 +125,7 @@ fn the_travel_at_the_peak_is_known_once_the_force_has_fallen() {
     assert_eq!(of(&history()[..8]).verdict, Verdict::NotReached);
 }
 
-/// Trust: by hand: the second element is the thinnest, its hoop strain is the minor one and half of the other; a name without a
-/// unit is a plain number.
+/// Trust: by hand: the second element is the thinnest, its hoop strain the minor one; without a unit a plain number.
 #[test]
 fn a_strain_path_is_that_of_the_thinnest_place() {
     let mut paths = Paths::starting(vec![1.0, 3.0]);

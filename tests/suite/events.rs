@@ -15,8 +15,7 @@ fn kinds(found: &[Event]) -> Vec<EventKind> {
 const THROUGH: [EventKind; 3] =
     [EventKind::SheetLeaves(Role::Holder), EventKind::RimOnShoulder, EventKind::RimInThroat];
 
-/// Steps of the load, after the first tenth of the travel, by more than this share of the peak: no smooth curve has them in
-/// a hundredth of the travel.
+/// Steps of the load above this share of the peak: no smooth curve has them in a hundredth of the travel.
 const JUMP: f64 = 0.1;
 
 /// The travels between which the load jumps \[mm\].

@@ -78,3 +78,17 @@ fn a_further_tool_that_stands_by_mistake_is_named() {
     let idle = warnings("90 mm");
     assert!(idle.contains("the sheet never touches the ejector") && !idle.contains("run into"), "{idle}");
 }
+
+/// Trust: in its stage the inner punch alone moves, and stretches the sheet over itself until it necks; no holder is there.
+#[test]
+fn words_are_of_the_tool_that_works() {
+    let stretched = loaded("tests/suite/common/inner_punch.toml", &["stages.0.further.0.move=12 mm"]);
+    let solution = stretched.solve(&mut ());
+    let answer = Answer::of(&solution.case, &solution.stages, &findings(&solution));
+    let place = |key: &str| answer.numbers.iter().find(|number| number.key == key).expect("a number").place.clone();
+    assert!(place("thinnest").contains("at the tool 'inner punch'"), "{}", place("thinnest"));
+    assert!(place("punch_force").contains("in stage 2 of the inner punch"), "{}", place("punch_force"));
+    let summary = solution.summary().to_string();
+    let wanted = ["Inner punch travel reached", "below, goes 12 mm", "on the inner punch", "Less friction, or"];
+    wanted.map(|words| assert!(summary.contains(words), "{words}: {summary}"));
+}

@@ -21,8 +21,7 @@ fn all() -> Vec<Profile> {
     ]
 }
 
-/// Trust: brute force. No sampled point of the chain may be closer than the closest point, and one must be
-/// as close to within the sampling.
+/// Trust: brute force: no sampled point is closer than the closest point, and one is as close.
 #[test]
 fn distance_agrees_with_brute_force_sampling() {
     for profile in all() {
@@ -38,8 +37,7 @@ fn distance_agrees_with_brute_force_sampling() {
     }
 }
 
-/// Trust: the normal is the gradient and the curvature the second derivative of the distance, by
-/// central differences (h = 1e-4 mm: truncation near 1e-9).
+/// Trust: normal and curvature are the distance's derivatives, by central differences of 1e-4 mm (error 1e-9).
 #[test]
 fn normal_and_curvature_are_derivatives_of_the_distance() {
     let h = 1e-4;
@@ -79,8 +77,7 @@ fn shapes_touch_the_flat_sheet_and_point_at_it() {
     }
 }
 
-/// Trust: a mirror keeps distances, and turning round changes only their sign (1e-9: a few rounded sums of
-/// coordinates up to 1e3).
+/// Trust: a mirror keeps distances, turning round changes their sign (1e-9: rounded sums up to 1e3).
 #[test]
 fn distances_follow_the_moves() {
     for profile in [Profile::flat_punch(50.0, 9.0, 1.0), Profile::die(51.0, 7.0, 1.0), Profile::holder(60.0, 1.0)] {
@@ -114,8 +111,7 @@ fn parts_lie_on_one_side_each_and_add_up() {
     assert_eq!(line.across_axis().cut_at_axis(4.0).len(), 1, "a crossing that is an end");
 }
 
-/// Trust: dense sampling finds nothing beyond the extreme, and comes near it (1e-4 mm: chords of 1e-3 rad on
-/// radii up to 330 mm).
+/// Trust: dense sampling finds nothing beyond the extreme, and comes within 1e-4 mm: chords of 1e-3 rad.
 #[test]
 fn no_sampled_point_lies_beyond() {
     let tilted = Profile::crowned_punch(330.0, 2800.0, 10.0, 0.8).shifted(4.0);
@@ -343,8 +339,7 @@ fn lines_that_are_no_cavity_are_refused() {
     assert!(matches!(short.cavity(4.0, 200.0, 500.0), Err(CavityError::Shoulder { .. })));
 }
 
-/// Trust: chords of a circle, rounded, lie on the circle again, also next to straight walls: to round-off
-/// while the wall is longer than four chords.
+/// Trust: rounded chords of a circle lie on it again, to round-off beside a wall longer than four chords.
 #[test]
 fn chords_of_an_arc_give_the_arc_back() {
     for exact in

@@ -5,8 +5,7 @@ use crate::common::prelude::*;
 /// Number of values, their sum, the sum with the weights 1 … 7 in turn, and the sum of their magnitudes.
 type Digest = [f64; 4];
 
-/// Largest difference of a sum, in parts of the sum of magnitudes: tables hold nine digits, so that a value may fall on either
-/// side of a rounding.
+/// Largest difference over the sum of magnitudes: of nine digits a value may fall on either side of a rounding.
 const TOLERANCE: f64 = 1e-9;
 
 /// Columns of the iteration, not of its answer: round-off moves them, and the imbalance of work is a small difference of large

@@ -43,8 +43,7 @@ fn a_cone_leads_tangentially_into_the_throat() {
 
 /// Thick sheets without a holder go through cone and tractrix as through a shoulder, round and straight, by both laws.
 ///
-/// Trust: known practice; a cup of 3 mm and β = 1.8 does not tear, and the tractrix takes less force than the cone, which bends
-/// the sheet at its ends.
+/// Trust: known practice; a cup of 3 mm and β = 1.8 does not tear; the tractrix takes less force than the cone.
 #[test]
 fn thick_sheets_are_drawn_without_a_holder() {
     for (kind, size, wide) in [("axisymmetric", "radius", "radius"), ("plane_strain", "half_length", "half_width")] {

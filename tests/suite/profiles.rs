@@ -74,8 +74,7 @@ fn a_fillet_makes_the_standard_punch_of_three_points() {
     }
 }
 
-/// Trust: the definition. At the travel of closing every point of the die's cavity is `by` away from the punch
-/// (1e-7 mm: round-off of arcs).
+/// Trust: at closing every point of the die's cavity is `by` away from the punch (1e-7 mm: round-off of arcs).
 #[test]
 fn a_die_around_a_punch_closes_with_the_gap_asked_for() {
     for (more, closed) in [("", 25.0), (", closed_at = \"27 mm\"", 27.0)] {

@@ -236,8 +236,7 @@ fn a_folder_that_goes_away_or_is_blocked_during_a_run_loses_no_result() {
     assert!(text(&done.stdout).contains("Punch force"), "{}", text(&done.stdout));
 }
 
-/// Trust: signals that wait at the same time, and a shell that has one ignored, as nohup does; the run alone would take far
-/// longer than the test.
+/// Trust: signals that wait at once, and a shell that ignores one, as nohup does; the run alone takes far longer.
 #[cfg(unix)]
 #[test]
 fn a_second_signal_ends_the_program_at_once_but_not_that_of_a_closed_terminal() {

@@ -119,8 +119,7 @@ fn conditions_judge_lights_tears_and_quantities() {
     }
 }
 
-/// Trust: Siebel's pressure on every blank, so that none is red for wrinkles. 4ming's table has 2.0 for DC04 and a punch of
-/// 100 mm, textbooks 2.0 to 2.2.
+/// Trust: Siebel's pressure on every blank. 4ming has 2.0 for DC04 and a punch of 100 mm, textbooks 2.0 to 2.2.
 #[test]
 fn the_limiting_draw_ratio_has_its_holder_by_the_rule() {
     for (row, diameter, set) in [

@@ -63,8 +63,7 @@ fn a_strip_of_membranes_that_nothing_holds_is_a_mechanism() {
     }
 }
 
-/// Strips without friction pushed into a narrow gap without a holder: the legs lift the middle off the punch, and nothing is
-/// there to balance it once it snaps.
+/// Strips without friction in a narrow gap without a holder: the legs lift the middle off the punch, and it snaps.
 ///
 /// Trust: where each of them ends, the middle is thicknesses ahead of a punch that only pushes. Whether an arch snaps or is
 /// drawn on depends on the mesh, so that one of them must, not all.

@@ -26,8 +26,7 @@ fn the_bars_of_woos_cup_are_sharp_and_hold_the_truth() {
     }
 }
 
-/// Trust: the full bench (`cargo bench --bench coverage`) has 95 % and more in 300 dies; of 6 dies and some ten numbers each,
-/// one in ten may be missed.
+/// Trust: the bench `coverage` has 95 % and more in 300 dies; of 6 dies one number in ten may be missed.
 #[test]
 fn the_truth_lies_inside_the_bars_of_six_random_dies() {
     let checked: Vec<_> = (60_000..60_006).map(|seed| check(case_of(random_die(seed).model))).collect();

@@ -7,8 +7,7 @@ const A: f64 = 50.0;
 /// Yield stress of the special metal at the start \[MPa\].
 const YIELD: f64 = 300.0;
 
-/// The metal for which Hill's solution is exact, σ = σ₀ exp(ε̄), as a table: with its points a hundredth apart it is met to
-/// 5e-6 at its end and to 2e-7 before.
+/// The metal of Hill's exact solution, σ = σ₀ exp(ε̄), as a table, met to 5e-6 at its end and to 2e-7 before.
 fn special() -> Hardening {
     let strain: Vec<f64> = (0..=200).map(|i| 0.01 * f64::from(i)).collect();
     let stress = strain.iter().map(|e| YIELD * e.exp()).collect();

@@ -1,5 +1,4 @@
-//! Verification: a sheet in elements much finer than its thickness thins where one in usual elements does, evenly from
-//! element to element.
+//! Verification: a sheet in very fine elements thins where one in usual elements does, evenly.
 //!
 //! A sheet that is bent over the die's shoulder and straightened again under tension loses more of its bending moment by
 //! thinning than it wins by hardening, unless n is large. Without the length of

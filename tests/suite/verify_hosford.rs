@@ -2,8 +2,7 @@
 
 use crate::common::prelude::*;
 
-/// Trust: one metal written twice; both runs stop their iterations at the solver's tolerance of 1e-4 of the velocities, whose
-/// square is what forces miss.
+/// Trust: one metal written twice; both runs stop at 1e-4 of the velocities, whose square is what forces miss.
 #[test]
 fn a_cup_with_exponent_two_is_hills() {
     for mode in ["flow", "elasto_viscoplastic"] {
