@@ -90,5 +90,5 @@ fn words_are_of_the_tool_that_works() {
     assert!(place("punch_force").contains("in stage 2 of the inner punch"), "{}", place("punch_force"));
     let summary = solution.summary().to_string();
     let wanted = ["Inner punch travel reached", "below, goes 12 mm", "on the inner punch", "Less friction, or"];
-    wanted.map(|words| assert!(summary.contains(words), "{words}: {summary}"));
+    wanted.iter().for_each(|words| assert!(summary.contains(*words), "{words}: {summary}"));
 }
