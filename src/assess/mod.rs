@@ -52,6 +52,7 @@ const ON_CASE: &[fn(&Case) -> Option<Finding>] = &[material::mixed, material::th
 
 const ON_MODEL: &[fn(&Model) -> Option<Finding>] = &[
     material::strength,
+    stop::earlier,
     holder::closes,
     holder::idle,
     holder::crushing,
@@ -68,6 +69,7 @@ const ON_TOOL: &[fn(&Model, &Tool) -> Option<Finding>] =
 /// Findings on a run, in the order of output: tears, wrinkles, press, tools, trust.
 const ON_RUN: &[fn(&Run) -> Option<Finding>] = &[
     stop::judge,
+    stop::after_earlier,
     tear::thinning,
     tear::localisation,
     forming_limit::margin,

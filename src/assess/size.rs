@@ -17,9 +17,9 @@ const CLEARANCES: RangeInclusive<f64> = 0.9..=3.0;
 /// Gap over the thickness from which on the throat may be a diameter \[–\].
 const WIDE: f64 = 5.0;
 
-/// Checks of a model's sizes, and of the sheet of an earlier run: if one is wrong, nothing else is worth reading.
-pub const SIZE_CHECKS: [fn(&Model) -> Option<Finding>; 7] =
-    [width, thickness, slender, blank_diameter, throat_diameter, stop::earlier, material::earlier];
+/// Checks of a model's sizes, and of an earlier run's metal: if one is wrong, nothing else is worth reading.
+pub const SIZE_CHECKS: [fn(&Model) -> Option<Finding>; 6] =
+    [width, thickness, slender, blank_diameter, throat_diameter, material::earlier];
 
 /// Warnings on the sizes of a case, as sentences.
 pub fn size_doubts(case: &Case) -> Vec<String> {

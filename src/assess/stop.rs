@@ -53,9 +53,13 @@ fn advice(last: &StageSolution) -> &'static str {
 
 pub(super) fn earlier(model: &Model) -> Option<Finding> {
     let sheet = model.blank.preform.as_ref().filter(|sheet| !sheet.doubt.is_empty())?;
-    let text = format!("the earlier run {} {}: what comes after it is doubtful", sheet.folder, sheet.doubt);
+    let text = format!("{}: {}; what comes after it is doubtful", sheet.folder, sheet.doubt);
     let warning = Finding::warning("earlier_run", "Earlier run", text).limit("complete, no red line");
     Some(warning.source("its summary.json").advice("mend that run first"))
+}
+
+pub(super) fn after_earlier(run: &Run) -> Option<Finding> {
+    Some(Finding { kind: Kind::Judgement, light: Light::Red, ..earlier(run.case.model())? })
 }
 
 pub(super) fn remedied(stage: &StageSolution) -> Option<Finding> {

@@ -220,12 +220,12 @@ fn only_line(bytes: &[u8], layer: Option<&str>, role: Role) -> Result<Profile> {
     let drawing = dxf::drawing(&drawing)?;
     let (frame, tool) = (frame::Frame::new(&drawing, &Options::default())?, ToolId { operation: None, role });
     let entities = blocks::exploded(&drawing)?;
-    let layers = entities.iter().map(|placed| &placed.source.layer);
-    let layers = layers.filter(|name| layer.is_none_or(|layer| layer.eq_ignore_ascii_case(name)));
-    let strokes = stroke::strokes(&entities, &layers.map(|name| (name.clone(), tool)).collect(), tool, &frame)?;
     let names: BTreeSet<&str> = entities.iter().map(|placed| placed.source.layer.as_str()).collect();
+    let is_ours = |name: &&&str| layer.is_none_or(|layer| layer.eq_ignore_ascii_case(name));
+    let layers = names.iter().filter(is_ours).map(|name| ((*name).to_owned(), tool)).collect();
+    let strokes = stroke::strokes(&entities, &layers, tool, &frame)?;
     let what =
-        || format!("no line is drawn there; its layers are {}", layers::list(names.into_iter().map(str::to_owned)));
+        || format!("no line is drawn there; its layers are {}", layers::list(names.iter().map(|n| (*n).to_owned())));
     ensure(!strokes.is_empty(), || ImportError::new(what(), ""))?;
     Ok(orient::section(tool, halves::right(strokes, tool, &frame)?, Heading::Up, &frame)?.profile)
 }

@@ -23,8 +23,7 @@ pub(super) fn folders(list: &str) -> Vec<String> {
 fn lines(solution: &Solution) -> Vec<(&str, &str, Option<&StageSolution>)> {
     let stages = solution.stages.iter().map(Some).chain(std::iter::repeat(None));
     let names = solution.case.stages.iter().map(|stage| stage.name.as_str());
-    let lines = names.zip(stages).map(|(name, s)| (name, s.map_or("not run", stop_text), s));
-    let lines: Vec<_> = lines.collect();
+    let lines: Vec<_> = names.zip(stages).map(|(name, s)| (name, s.map_or("not run", stop_text), s)).collect();
     if lines.len() > 1 { lines } else { Vec::new() }
 }
 
@@ -59,8 +58,7 @@ pub(super) fn files(results: &Results) -> Files {
     };
     let further = results.solution.case.stages.last().map_or(&[][..], |stage| &stage.model.further);
     let further = further.iter().map(|name| {
-        let peak =
-            |stage: &StageSolution| stage.further_peaks().find(|(_, other, _)| other == name).map(|(.., peak)| peak);
+        let peak = |stage: &StageSolution| Some(stage.further_peaks().find(|(_, other, _)| other == name)?.2);
         let (key, label) = (format!("{}_force_peak", keyed(name)), format!("Largest {name} force"));
         Column::new(key, label, extent.force_unit(), of_stage(&peak))
     });

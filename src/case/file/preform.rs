@@ -71,9 +71,9 @@ pub fn read(folder: &str, thickness: f64, geometry: Geometry, source: &Source) -
     let rows = summary["verdict"]["findings"].as_array().into_iter().flatten();
     let red = joined(rows.filter(|row| row["light"] == "red").filter_map(|row| row["label"].as_str()), ", ");
     let doubt = match red.is_empty() {
-        _ if summary["complete"] == false => format!("ended early, {}", written("stop")),
+        _ if summary["complete"] == false => written("stop").split(';').next().unwrap_or_default().to_owned(),
         true => String::new(),
-        false => format!("is red, {red}"),
+        false => format!("red lines: {red}"),
     };
     let draws = summary["draws_mm"].as_array().into_iter().flatten().filter_map(serde_json::Value::as_f64).collect();
     let (thickness, strains) = (curve(3)?, [curve(4)?, curve(5)?, curve(6)?]);

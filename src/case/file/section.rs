@@ -147,8 +147,8 @@ impl Section {
         let fits = if is_drawing { fillet.is_none() } else { layer.is_none() };
         source.require(fits, path, "a `layer` is of a drawing, a `fillet` of points", "drop it")?;
         if !is_drawing {
-            let (profile, points) = points::convert(file, &key, fillet, of, source)?;
-            return Ok((profile, Origin::Points(points)));
+            return points::convert(file, &key, fillet, of, source)
+                .map(|(line, points)| (line, Origin::Points(points)));
         }
         let refused = |what: &str, help: &str| source.error(&key, format!("the drawing {file}: {what}"), help);
         let text = source
