@@ -120,9 +120,9 @@ fn numbers(case: &Case, stages: &[StageSolution], is_torn: bool) -> Vec<Quantity
 
 fn thinnest(stages: &[StageSolution], end: &StepRecord, is_torn: bool) -> Option<Quantity> {
     let thinning = (1.0 - end.thinnest / stages.last()?.model.blank.unformed_thickness(end.thinnest_s0)).max(0.0);
-    // What comes after it is another sheet.
     let after = if is_torn { "after the tear" } else { "" };
-    let about = [format!("{} thinner", Amount::share(thinning)), place(stages, end.thinnest_s0), after.into()];
+    let thinner = Amount::share((1e4 * thinning).round() / 1e4);
+    let about = [format!("{thinner} thinner"), place(stages, end.thinnest_s0), after.into()];
     Some(Quantity::new("thinnest", "Thinnest", Amount::thickness(end.thinnest)).at(joined(about, ", ")))
 }
 
@@ -258,13 +258,13 @@ fn stripping(stage: &StageSolution) -> Option<Quantity> {
 }
 
 fn blank(model: &Model) -> Quantity {
+    let across = worded(model.geometry, "in diameter", "wide");
     if model.blank.meridian.is_some() {
         let [length, thick] = [model.blank.length, model.blank.thickness].map(Amount::size);
-        let about = format!("outside in diameter, {length} along the sheet, {thick} thick");
-        let across = 2.0 * model.blank.reach() + model.blank.thickness;
-        return Quantity::new("blank", "Blank", Amount::size(across)).at(about);
+        let about = format!("{across} outside, {length} along the sheet, {thick} thick");
+        let outside = 2.0 * model.blank.reach() + model.blank.thickness;
+        return Quantity::new("blank", "Blank", Amount::size(outside)).at(about);
     }
-    let across = worded(model.geometry, "in diameter", "wide");
     let amount = Amount::new(2.0 * model.blank.length, Unit::Mm, Digits::Given(2));
     Quantity::new("blank", "Blank", amount).at(format!("{across}, {} thick", Amount::size(model.blank.thickness)))
 }

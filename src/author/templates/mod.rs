@@ -148,7 +148,8 @@ pub fn list() -> String {
         let _ = writeln!(text, "{title}");
         for Choice { key, value, default, about, diameter } in options {
             let diameter = diameter.as_ref().map_or(String::new(), |key| format!("; or --{key}"));
-            let _ = writeln!(text, "    {:<26} {about} [{default}]{diameter}", format!("--{key} {value}"));
+            let option = format!("--{key} {value}").replace(" SWITCH", "");
+            let _ = writeln!(text, "    {option:<26} {about} [{default}]{diameter}");
         }
         text.push('\n');
     }

@@ -20,11 +20,8 @@ pub fn read(folder: &str, thickness: f64, geometry: Geometry, source: &Source) -
     let is_file = source.folder.files.text(&path, files::CSV).is_ok();
     source.require(!is_file, KEY, format!("\"{folder}\" is a file, not the folder of a run"), EXAMPLE)?;
     let (text, csv) = Named { file: &file, what: "earlier run's", example: EXAMPLE, key: KEY }.open(source)?;
-    let [across, other] = if geometry == Geometry::PlaneStrain { ["x_mm", "r_mm"] } else { ["r_mm", "x_mm"] };
-    let what = format!("the run in \"{folder}\" is not {}, as this case is", geometry.key());
-    source.require(csv.column(other).is_none(), KEY, what, "give a run of the same `geometry`")?;
     let strains = ["strain_meridional", "strain_hoop", "strain_equivalent", "strain_thickness"];
-    let names = [&["s0_mm", across, "z_mm", "thickness_mm"], &strains[..]].concat();
+    let names = [&["s0_mm", "r_mm", "z_mm", "thickness_mm"], &strains[..]].concat();
     let missing = |name: &str| format!("there is no column {name}; found {}", csv.names());
     let column = |name: &&str| csv.column(name).ok_or_else(|| text.error(csv.header.line, missing(name), EXAMPLE));
     let columns = names.iter().map(column).collect::<Result<Vec<_>>>()?;
@@ -39,8 +36,7 @@ pub fn read(folder: &str, thickness: f64, geometry: Geometry, source: &Source) -
         }
         let before = row[3] * (-row[7]).exp();
         let what = || format!("the sheet there was {before:.4} mm thick at first, not {} mm", rounded(thickness));
-        let is_same = (before / thickness - 1.0).abs() < SAME;
-        if !is_same {
+        if (before / thickness - 1.0).abs() > SAME {
             return Err(text.error(record.line, what(), "give its `thickness` before the earlier run"));
         }
         if rows.last().is_some_and(|last| row[0] <= last[0]) {
@@ -48,6 +44,9 @@ pub fn read(folder: &str, thickness: f64, geometry: Geometry, source: &Source) -
         }
         rows.push(row);
     }
+    let is_strip = rows.iter().all(|row| row[5] == 0.0);
+    let what = format!("the run in \"{folder}\" is not {}, as this case is", geometry.key());
+    source.require(is_strip == (geometry == Geometry::PlaneStrain), KEY, what, "give a run of the same `geometry`")?;
     let middles: Vec<Point> = rows.iter().map(|row| Point::new(row[1], row[2])).collect();
     let ([first, second, ..], [.., before, last]) = (&middles[..], &middles[..]) else {
         return Err(text.error(csv.header.line, "a sheet has two elements at least", EXAMPLE));
