@@ -11,7 +11,6 @@ use std::{collections::BTreeMap, fmt::Display};
 
 /// Longest line \[characters\]; a comment that does not fit stands above its line.
 const WIDTH: usize = 100;
-/// Keys of a round part that shops measure as diameters.
 const RADII: [&str; 3] = ["radius", "throat", "inner_radius"];
 
 /// End of a step of a profile, and of an arc its centre and whether it turns left.

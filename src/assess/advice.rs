@@ -11,8 +11,9 @@ const POINTS: f64 = 2.0;
 const PULLED: [&str; 5] = ["tearing", "forming_limit", "thinning", "fracture", "ironing"];
 const HOLDS_MORE: [(&str, bool); 3] = [("holder force", true), ("bead force", true), ("holder gap", false)];
 
-/// Rows that no change of a size moves: input that is missing, and the solution itself.
-pub(super) const NO_DESIGN: [&str; 4] = ["friction", "hardening_range", "yield_condition", "solution_quality"];
+/// Rows that no change of a size moves: input that is missing, drives, and the solution itself.
+pub(super) const NO_DESIGN: [&str; 6] =
+    ["overlap", "idle_tool", "friction", "hardening_range", "yield_condition", "solution_quality"];
 
 /// Change of one size that was solved.
 pub struct Tried {

@@ -117,7 +117,6 @@ pub(super) fn wall_wrinkles(run: &Run) -> Option<Finding> {
     let bottom = run.stages.last()?.model.tool(Role::Punch).and_then(|punch| punch.profile.pieces().first());
     let is_domed = matches!(bottom, Some(Piece::Arc(_)));
     let has = |model: &Model, role: Role| model.release.is_none() && model.tool(role).is_some();
-    // A wall in an ironing ring lies on the punch.
     let is_free = |model: &Model| has(model, Role::Punch) && !has(model, Role::Holder) && !has_land(model);
     let mut redraws = run.stages.iter().enumerate().skip(usize::from(!is_redrawn));
     let text = match redraws.find(|(_, stage)| is_free(&stage.model)) {

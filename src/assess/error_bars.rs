@@ -235,7 +235,6 @@ impl ErrorBars {
         };
         let without: Vec<(&str, String)> = answer().filter_map(reason).collect();
         if answer().all(|number| number.half().is_none()) && without.iter().all(|(_, why)| *why == without[0].1) {
-            // A run without a step has no numbers either.
             let why = without.first().map_or(&self.why, |(_, why)| why);
             let notes = self.notes.iter().filter(|note| *note != why).cloned();
             return [format!("no error bars: {why}")].into_iter().chain(notes).collect();

@@ -66,7 +66,6 @@ pub(super) fn margin(run: &Run) -> Option<Finding> {
             format!("uses {{}} of the limit; first reached at {when}, {}", place(run.stages, reached.s0))
         }
     };
-    // The bend itself is judged by its radius.
     let bend = run.largest(|step| step.sharpest_bend).unwrap_or(0.0);
     let faces = Amount::ratio((1.0 + 0.5 * bend).ln());
     let faces = (bend * THIN > 1.0).then(|| format!("of the mid-surface: bends strain the faces by up to {faces}"));

@@ -52,7 +52,6 @@ pub fn holder_lift(stage: &StageSolution) -> Option<f64> {
 pub(super) fn judge(run: &Run) -> Option<Finding> {
     let first = run.stages.first()?;
     let (model, thickness) = (&first.model, first.model.blank.thickness);
-    // As in a later stage.
     if model.blank.preform.is_some() {
         return None;
     }

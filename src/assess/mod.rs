@@ -69,7 +69,6 @@ const ON_TOOL: &[fn(&Model, &Tool) -> Option<Finding>] =
 /// Findings on a run, in the order of output: tears, wrinkles, press, tools, trust.
 const ON_RUN: &[fn(&Run) -> Option<Finding>] = &[
     stop::judge,
-    stop::after_earlier,
     tear::thinning,
     tear::localisation,
     forming_limit::margin,
@@ -124,7 +123,10 @@ pub fn before(case: &Case) -> Vec<Finding> {
 pub fn after(case: &Case, stages: &[StageSolution]) -> Vec<Finding> {
     let run = Run { case, stages, nearest: Nearest::of(stages) };
     let of_stages = stages.iter().enumerate().flat_map(|(i, stage)| of_stage(i, stage));
-    ON_RUN.iter().filter_map(|find| find(&run)).chain(of_stages).collect()
+    // Known before the run, and wrong with its result.
+    let of_case = [stop::earlier, tools::overlap].into_iter().filter_map(|find| find(case.model()));
+    let of_case = of_case.map(|finding| Finding { kind: Kind::Judgement, light: Light::Red, ..finding });
+    of_case.chain(ON_RUN.iter().filter_map(|find| find(&run))).chain(of_stages).collect()
 }
 
 /// Findings to print with each stage: its warnings and all assumptions; with the first, also the warnings before the run.
@@ -160,7 +162,6 @@ impl<'a> Run<'a> {
         self.steps().map(value).reduce(f64::max).map(|largest| largest.max(0.0))
     }
 
-    /// Stage with the largest of a figure: its number, the figure, and what belongs to it.
     fn peak<T>(&self, figure: impl Fn(usize, &'a StageSolution) -> Option<(f64, T)>) -> Option<(usize, f64, T)> {
         let all = self.stages.iter().enumerate();
         let figures = all.filter_map(|(i, stage)| figure(i, stage).map(|(value, with)| (i, value, with)));

@@ -72,7 +72,6 @@ fn formed(stage: &StageSolution) -> Option<&StepRecord> {
 pub(super) fn judge(run: &Run) -> Option<Finding> {
     run.steps().next()?;
     let worst = |check: &Check| run.stages.iter().filter_map(check.of).reduce(f64::max);
-    // Work missing in any stage over the largest external work of any.
     let largest = run.stages.iter().map(StageSolution::largest_work).fold(0.0, f64::max);
     let missing = if largest > 0.0 { worst(&WORK).unwrap_or(0.0) / largest } else { 0.0 };
     let all = [(&WORK, missing)].into_iter().chain(CHECKS.iter().filter_map(|check| Some((check, worst(check)?))));
@@ -131,7 +130,6 @@ pub(super) fn mesh(model: &Model) -> Option<Finding> {
     Some(warning.advice(format!("take about {elements} elements, which give {advised}")))
 }
 
-/// Cosine of a wall's lean up to which it counts as upright, to 2°.
 const UPRIGHT: f64 = 0.9994;
 
 /// Punch or die whose line ends before the travel, so that the sheet bends over its end.

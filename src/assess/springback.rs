@@ -58,7 +58,6 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     Some(finding.source(source).advice(advice(run, &judged, wall)))
 }
 
-/// Over-bend of the tools by one step, their angle less the error; and a search by runs, for walls before flanges.
 fn advice(run: &Run, judged: &[Judged], wall: Option<f64>) -> String {
     let is_held = run.case.model().tool(Role::Holder).is_some();
     let off = |keys: &[&str]| judged.iter().find(|one| keys.contains(&one.change.quantity.key) && one.used() > NEAR);

@@ -43,6 +43,9 @@ fn advice(last: &StageSolution) -> &'static str {
         StopKind::DrawnThrough => {
             "[stop] drawn_through = true if you want that; else a shorter travel, a larger blank or more holder force"
         }
+        StopKind::ToolsClosed if !last.model.further.is_empty() => {
+            "another drive or `gap` of the further tool, if the stop names it; else a shorter travel"
+        }
         StopKind::ToolsClosed => "a shorter travel, or a larger gap between punch and die",
         StopKind::Creeping => "coarser elements there, a larger solver.min_step; or the shape: the sheet may snap",
         StopKind::NoEquilibrium => "what the stop names; else a finer mesh at the radii (blank.elements)",
@@ -56,10 +59,6 @@ pub(super) fn earlier(model: &Model) -> Option<Finding> {
     let text = format!("{}: {}; what comes after it is doubtful", sheet.folder, sheet.doubt);
     let warning = Finding::warning("earlier_run", "Earlier run", text).limit("complete, no red line");
     Some(warning.source("its summary.json").advice("mend that run first"))
-}
-
-pub(super) fn after_earlier(run: &Run) -> Option<Finding> {
-    Some(Finding { kind: Kind::Judgement, light: Light::Red, ..earlier(run.case.model())? })
 }
 
 pub(super) fn remedied(stage: &StageSolution) -> Option<Finding> {

@@ -62,7 +62,7 @@ pub(super) fn overlap(model: &Model) -> Option<Finding> {
     let [r, z] = [at.x, at.y].map(Amount::size);
     let start = if from > 0.0 { "from {} of travel on" } else { "at the start" };
     let text = format!("the {name} and the {other} run into each other {start}, at r = {r}, z = {z}");
-    let warning = Finding::warning("overlap", "Tools", text).number(Amount::place(from));
+    let warning = Finding::warning("overlap", "Overlap", text).number(Amount::place(from));
     Some(warning.limit("apart").source("the sections").advice("another profile, `gap` or drive"))
 }
 
@@ -87,8 +87,8 @@ pub(super) fn idle(run: &Run) -> Option<Finding> {
     let drive = if *motion == Motion::Fixed { "it stands: give it a drive" } else { "a longer way, more force" };
     let names = joined(names, " and the ");
     let text = format!("the sheet never touches the {names}; the {name} comes within {{}} of it, at {at}");
-    let warning = Finding::warning("idle_tool", "Tools", text).number(Amount::place(gap));
-    Some(warning.limit("in contact").source("the run").advice(format!("{drive}, or a smaller `gap`")))
+    let judged = Finding::judged("idle_tool", "Idle tool", text).number(Amount::place(gap)).light(Light::Amber);
+    Some(judged.limit("in contact").source("the run").advice(format!("{drive}, or a smaller `gap`")))
 }
 
 /// Gap between punch and die over the thickness in the worst stage, else the last; wide ones matter beside an upright wall.

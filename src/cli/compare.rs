@@ -131,7 +131,6 @@ fn reasons(all: &[(String, Comparison)]) -> String {
     lines.join("\n")
 }
 
-/// Comparisons inside, by kind of reference: `experiment: 1 of 3 inside`.
 fn counts(all: &[(String, Comparison)]) -> String {
     let line = |name: &&str| {
         let own = |c: &Comparison| c.spec.source.as_ref().is_some_and(|source| source.kind() == *name);

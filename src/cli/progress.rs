@@ -5,7 +5,6 @@ use indicatif::{MultiProgress, ProgressBar, ProgressDrawTarget, ProgressStyle};
 use stampflow::{Observer, Stage, State, solver::Iterate};
 
 const FULL: f64 = 1000.0;
-/// Time until bars appear, as shorter work needs none.
 const DELAY: Duration = Duration::from_millis(400);
 
 pub struct Progress(MultiProgress);

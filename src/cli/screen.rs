@@ -62,7 +62,6 @@ fn print_lines(stream: &mut impl Write, ScreenText(text): &ScreenText) -> io::Re
 
 const COLORS: [Option<u8>; 4] = [None, Some(2), Some(3), Some(1)];
 
-/// ANSI colour of a light; `None` without colours.
 fn color(light: Light) -> Option<u8> {
     COLORS[light as usize].filter(|_| has_colours(&io::stdout()))
 }

@@ -11,9 +11,7 @@ use crate::plot::drawing::{Layer, coordinate, extent};
 use std::f64::consts::TAU;
 use std::fmt::{Display, Write};
 
-/// First handle of layers and entities; smaller ones are those of the template.
 const FIRST: u32 = 0x100;
-/// Handles of the table of layers and of the model space.
 const OWNERS: [&str; 2] = ["1", "17"];
 /// Height of texts over the drawing's width \[–\].
 const TEXT: f64 = 0.02;

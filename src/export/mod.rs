@@ -24,7 +24,6 @@ use crate::solver::solution::{Frame, StageSolution};
 use crate::units::{joined, trimmed};
 use std::path::Path;
 
-/// Colours of punch, die, holder, pad and further tools, in CAD and on a page.
 const COLORS: [(u8, &str); 5] = [(1, "#d00000"), (5, "#0000d0"), (3, "#009000"), (6, "#a000a0"), (2, "#808000")];
 /// Reach of endless walls beyond the sheet, over its size, and of the axis beyond the drawing, over its height \[–\].
 const MARGIN: f64 = 0.2;

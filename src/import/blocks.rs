@@ -12,7 +12,6 @@ use nalgebra::{Matrix2, Rotation2};
 use std::collections::BTreeMap;
 
 const DEEPEST: usize = 50;
-/// Layer whose entities take that of the reference.
 const NO_LAYER: &str = "0";
 
 #[derive(Debug)]

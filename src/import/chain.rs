@@ -16,7 +16,6 @@ pub(super) struct Chain {
     pub is_closed: bool,
 }
 
-/// Index of a stroke, and whether its last point is meant.
 type End = (usize, bool);
 
 impl Chain {

@@ -260,7 +260,6 @@ fn begun(kind: &str, line: usize, entities: &mut Vec<Entity>) -> Part {
     }
 }
 
-/// Whole number, which some programs write with decimals; 0 for anything else.
 fn whole(value: &str) -> usize {
     value.parse::<f64>().map_or(0, |value| value as usize)
 }

@@ -5,7 +5,6 @@ use crate::model::{Role, operation_in};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
-/// Layers that `export` draws beside the tools.
 const EXPORTED: [&str; 5] = ["blank", "sheet", "midline", "trim", "axis"];
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

@@ -145,7 +145,6 @@ fn is_punch(contact: &NodeContact) -> bool {
     contact.tool.role == Role::Punch
 }
 
-/// Band, and further tool, of a node.
 type Named = (Band, Option<Role>);
 
 fn bands_of_nodes(stage: &StageSolution, last: &Frame) -> Option<Vec<Named>> {

@@ -35,7 +35,6 @@ pub(super) struct Meridian {
     pub(super) thickness: f64,
 }
 
-/// Nodes over which the slope turns one way.
 struct Bend {
     /// −1 clockwise, 1 counter-clockwise.
     sense: f64,

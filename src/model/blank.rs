@@ -9,7 +9,6 @@ use crate::numerics::quadrature::{ThicknessPoint, lobatto, midpoint};
 use crate::units::{As, NonNegative, Positive, Ratio};
 use std::f64::consts::TAU;
 
-/// Chords that areas are measured by.
 const CHORDS: usize = 1000;
 
 /// The sheet before forming.

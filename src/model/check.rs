@@ -64,7 +64,6 @@ fn count(what: &str, value: usize, range: RangeInclusive<usize>) -> Checked {
         .map_err(|error| ModelError { nearest: Some(value.clamp(least, most)), ..error })
 }
 
-/// Finite numbers that rise, the first above `before`.
 fn rising(what: &str, mut before: f64, values: impl IntoIterator<Item = f64>) -> Checked {
     for value in values {
         number(what, value, FINITE)?;

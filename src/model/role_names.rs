@@ -19,7 +19,6 @@ const WORDS: [(Option<Role>, &str); 5] = [
 
 /// Words before the number of an operation: `OP20`, `AFO 20` (Arbeitsfolge), `Stufe 2`, `passe_2`.
 const OPERATIONS: [&str; 7] = ["op", "afo", "operation", "stage", "station", "stufe", "passe"];
-/// Letters with an accent, and without.
 const ACCENTS: &str = "àáâãäå=a ç=c èéêë=e ìíîï=i ñ=n òóôõö=o ùúûü=u ß=ss œ=oe";
 /// Length up to which names are searched at the ends of words only: "Radien" is no die.
 const SHORT: usize = 3;

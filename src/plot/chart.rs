@@ -245,7 +245,6 @@ impl Panel {
     }
 }
 
-/// Larger values are not drawn: ranges must not overflow.
 const LARGEST: f64 = 1e300;
 
 pub(crate) fn bounds(values: impl Iterator<Item = f64>) -> (f64, f64) {

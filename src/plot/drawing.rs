@@ -97,7 +97,6 @@ pub(crate) fn true_size_svg(layers: &[Layer]) -> String {
     text + "</svg>\n"
 }
 
-/// Point with y downward, as pictures have it.
 fn place(p: Point) -> String {
     format!("{} {}", coordinate(p.x), coordinate(-p.y))
 }

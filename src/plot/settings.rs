@@ -51,7 +51,6 @@ pub const WIDEST: f64 = 8032.0;
 /// Smallest font on paper \[pt\] and in drawings \[px\].
 const LEAST_LETTER: f64 = 6.0;
 const SMALLEST: f64 = 13.5;
-/// Points per inch, and mm per inch.
 const POINTS: f64 = 72.0;
 const INCH: f64 = 25.4;
 

@@ -6,7 +6,6 @@ use std::ops::Range;
 
 /// Largest share of the colour map: lighter colours are lost on paper.
 const LIGHTEST: f64 = 0.92;
-/// Share of the colour map at the blank's thickness if some of the sheet is thicker.
 const UNCHANGED: f64 = 0.55;
 /// Widths of a colour that are tried \[%\], and the most colours.
 const STEPS: [f64; 6] = [0.5, 1.0, 2.0, 5.0, 10.0, 20.0];

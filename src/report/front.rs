@@ -7,7 +7,6 @@ use crate::solver::solution::StepRecord;
 
 const ISSUES: usize = 4;
 const WARNINGS: usize = 2;
-/// Pictures of the part: the first that there is.
 const PARTS: [&str; 3] = [PART, "shapes.png", "springback.png"];
 
 /// Stage, counted from 0, with file, chart and caption.

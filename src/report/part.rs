@@ -4,7 +4,6 @@ use super::sizes::{dimensions, section};
 use super::*;
 use crate::assess::estimate::draw_ratio;
 
-/// Columns of the table of stages, by the keys of the summary.
 const COLUMNS: [(&str, &str); 8] = [
     ("Travel", "travel"),
     ("Punch, peak", "peak_punch_force"),
@@ -16,7 +15,6 @@ const COLUMNS: [(&str, &str); 8] = [
     ("Tearing", "tearing_index"),
 ];
 
-/// Columns of the table of tools, by how the names of dimensions begin.
 const TOOLS: [(&str, &str); 4] = [
     ("Punch", "Punch"),
     ("Punch radius", "Punch nose radius"),

@@ -6,7 +6,6 @@
 use super::evaluation::mean_gap;
 use super::*;
 
-/// Most rounds that one extrapolated shift stands for.
 const LONGEST_SERIES: f64 = 20.0;
 
 /// One round: λ ← min(0, λ + g) for every element; `false` when none is off by more than [`Settings::PENETRATION`].

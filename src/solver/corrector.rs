@@ -114,7 +114,6 @@ impl Corrector<'_, '_> {
         }
     }
 
-    /// Evaluates the trial and its convergence; `false` when an element has collapsed.
     fn judge(&mut self, matrix: Iteration, residual_alone: bool, outcome: &mut Outcome) -> bool {
         let (iteration, velocity_norm) = (outcome.iterations, outcome.velocity_norm);
         let at = Linearisation { matrix, residual_alone, iteration, velocity_norm };

@@ -85,7 +85,7 @@ impl Course {
         left.for_each(|(tool, left)| tool.released = tool.released.or(*left));
         let mut trial = Trial::new(&context, &self.now.state);
         let [mut evaluation, mut before] = [(); 2].map(|()| Evaluation::new(&context, &self.now.state));
-        let closes_at = self.now.termination.closed.map(|(travel, _)| model.time_at(travel));
+        let closes_at = self.now.termination.closed.map(|(travel, ..)| model.time_at(travel));
         let mut control = StepControl::new(model, &self.now.state, closes_at);
         let mut budget = Budget::new(model);
         let mut rejected = 0;

@@ -56,7 +56,6 @@ pub(super) fn reached(state: &State) -> String {
     }
 }
 
-/// A known mechanism of failure; `worst` is the node farthest from equilibrium.
 fn mechanism(step: &Step, evaluation: &Evaluation, worst: usize, steps: &[StepRecord]) -> Option<Stop> {
     loose_strip(step, worst).or_else(|| burst(step, evaluation, steps)).or_else(|| arch(step, steps))
 }
@@ -95,7 +94,7 @@ fn pushes(punch: &Tool) -> bool {
     punch.motion == Motion::Travel || matches!(punch.motion, Motion::Path(way) if way.y > 0.0)
 }
 
-/// Punch and die that squeeze the sheet between them come to a gap that it does not fill without bound on their pressure.
+/// Tools that squeeze the sheet between them come to a gap that it does not fill without bound on their pressure.
 pub(super) fn squeezed(step: &Step, evaluation: &Evaluation) -> Option<Stop> {
     let punch = evaluation.contacts.row(step.model.tool_index(Role::Punch)?);
     let pressure = |e: usize| {
@@ -105,8 +104,12 @@ pub(super) fn squeezed(step: &Step, evaluation: &Evaluation) -> Option<Stop> {
     let pressed = (0..step.references.len()).filter(|&e| is_between_walls(step, evaluation, e) && pressure(e) > 0.0);
     let e = pressed.max_by(|&a, &b| pressure(a).total_cmp(&pressure(b)))?;
     let [travel, s0] = [step.state.travel, step.state.middle(e)].map(Amount::place);
+    let presses =
+        |j: usize| (STATIONS * e..STATIONS * (e + 1)).any(|i| evaluation.contacts[(j, i)].pressure.value > 0.0);
+    let pressing = step.context.tools.iter().enumerate().filter(|(j, _)| presses(*j));
+    let names = joined(pressing.map(|(_, tool)| step.model.name_of(tool.role)), " and ");
     let text = format!(
-        "tools closed: at {travel} of travel punch and die squeeze the sheet between them, with {} at s0 = {s0}; no \
+        "tools closed: at {travel} of travel {names} squeeze the sheet between them, with {} at s0 = {s0}; no \
          equilibrium was found beyond",
         Amount::stress(pressure(e))
     );

@@ -37,7 +37,6 @@ impl Start {
 }
 
 const SECANT_START: usize = 15;
-/// Most rounds of the augmented Lagrangian in a step; two or three are usual.
 const MOST_ROUNDS: usize = 40;
 
 impl<'s> Corrector<'s, '_> {

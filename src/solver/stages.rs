@@ -156,7 +156,6 @@ fn turn_over(state: &mut State) {
     state.face_damage.iter_mut().for_each(|faces| faces.reverse());
 }
 
-/// Removes the elements from the edge inward whose middle lies beyond a distance from the axis.
 fn trim(state: &mut State, radius: f64) {
     let inside = state.nodes.windows(2).rposition(|w| 0.5 * (w[0][0] + w[1][0]) <= radius).map_or(0, |e| e + 1);
     let elements = inside.max(LEAST_ELEMENTS).min(state.thickness.len());

@@ -18,8 +18,9 @@ const LASTING: f64 = 0.01;
 const THROUGH: f64 = 1.0;
 /// Round-off of lengths over the thickness \[–\].
 const ROUND_OFF: f64 = 1e-6;
-/// Distance of two rigid tools over the initial thickness at which the run ends \[–\].
+/// Distance of two rigid tools over the initial thickness at which the run ends \[–\], sooner where a further tool squeezes it.
 const CLOSED: f64 = 0.5;
+const SQUEEZED: f64 = 0.9;
 
 #[derive(Clone)]
 struct Throat {
@@ -41,8 +42,8 @@ pub(super) struct Termination {
     peak: f64,
     rate_at_peak: f64,
     throat: Option<Throat>,
-    /// Travel at which punch and die close, and their closest place \[mm\].
-    pub closed: Option<(f64, Point)>,
+    /// Travel at which two tools close, their closest place \[mm\], and which tools they are.
+    pub closed: Option<(f64, Point, [usize; 2])>,
     neck: Option<Neck>,
     /// Largest excess of the last state over a rule \[–\]; negative while the run goes on.
     pub excess: f64,
@@ -116,7 +117,7 @@ impl Termination {
         let edge_limit = model.blank.edge_limit.filter(|_| model.stop.edge_limit).map(|limit| limit.expansion);
         let drop = model.stop.load_drop.filter(|_| self.peak > 0.0);
         [
-            (beyond(state.travel, self.closed.map(|(limit, _)| limit * (1.0 - 1e-12))), StopKind::ToolsClosed),
+            (beyond(state.travel, self.closed.map(|(limit, ..)| limit * (1.0 - 1e-12))), StopKind::ToolsClosed),
             (through, if model.stop.drawn_through { StopKind::LeftDie } else { StopKind::DrawnThrough }),
             (beyond(record.porosity, model.material.gtn.map(|voids| voids.fracture())), StopKind::Coalesced),
             (beyond(record.edge_expansion(&model.blank), edge_limit), StopKind::EdgeLimit),
@@ -137,11 +138,13 @@ impl Termination {
         let at = format!("at {travel} of travel");
         let text = match kind {
             StopKind::ToolsClosed => {
-                let (travel, place) = self.closed?;
+                let (travel, place, pair) = self.closed?;
                 let [travel, r, z] = [travel, place.x, place.y].map(Amount::place);
+                let [name, other] = pair.map(|k| model.name_of(model.tools[k].role));
+                let apart = Amount::share(ends_at(model, pair));
                 format!(
-                    "tools closed: at {travel} of travel punch and die are half the sheet's thickness apart, near r = {r}, \
-                     z = {z}"
+                    "tools closed: at {travel} of travel {name} and {other} are {apart} of the sheet's thickness apart and \
+                     close further, near r = {r}, z = {z}"
                 )
             }
             StopKind::LeftDie => {
@@ -180,20 +183,36 @@ fn localised(model: &Model, state: &State, neck: &Neck) -> Stop {
         Some((role, distance)) if distance < 0.5 * model.blank.thickness => format!("on the {}", model.name_of(role)),
         _ => "where no tool supports it".into(),
     };
-    let ([travel, s0], left) = ([state.travel, neck.s0].map(Amount::place), Amount::share(neck.share));
+    let (s0, left) = (Amount::place(neck.s0), Amount::share(neck.share));
+    let pressure = model.gas.iter().find_map(|gas| gas.pressure.prescribed(state.time)).map(Amount::stress);
+    let at = pressure.filter(|_| state.travel == 0.0).map_or_else(|| reached(state), |pressure| pressure.to_string());
     let less = if model.tool(Role::Holder).is_some() { "Less holder force or friction" } else { "Less friction" };
     let text = format!(
-        "ended at {travel} of travel by a neck at s0 = {s0}, where {left} of its thickness is left; {place}, one place takes \
+        "ended at {at} by a neck at s0 = {s0}, where {left} of its thickness is left; {place}, one place takes \
          all the stretching while the sheet beside it has stopped. {less}, or a larger radius there, \
          lets it go deeper"
     );
     Stop::at(StopKind::Localised, neck.s0, text)
 }
 
-/// Travel at which punch and die come within [`CLOSED`] thicknesses of each other, and their closest place.
-fn closed(model: &Model, state: &State) -> Option<(f64, Point)> {
-    let (i, j) = (model.tool_index(Role::Punch)?, model.tool_index(Role::Die)?);
-    let (punch, die) = (&model.tools[i], &model.tools[j]);
+/// Travel at which punch and die, or a further tool and a led one, first come within [`CLOSED`] thicknesses of each other on
+/// opposite faces of the sheet, and their closest place.
+fn closed(model: &Model, state: &State) -> Option<(f64, Point, [usize; 2])> {
+    let tools = || model.tools.iter().enumerate().filter(|(_, tool)| !matches!(tool.motion, Motion::Pressed(_)));
+    let meets = |a: &Tool, b: &Tool| match [a.role, b.role] {
+        [Role::Punch, Role::Die] => true,
+        roles => roles[0].side() != roles[1].side() && roles.iter().any(|role| role.further().is_some()),
+    };
+    let later = |(i, a)| tools().filter(move |(j, b)| *j > i && meets(a, b)).map(move |(j, _)| [i, j]);
+    let pairs = tools().flat_map(later).filter_map(|pair| closes(model, state, pair));
+    pairs.min_by(|a, b| a.0.total_cmp(&b.0))
+}
+
+fn ends_at(model: &Model, pair: [usize; 2]) -> f64 {
+    if pair.iter().any(|k| model.tools[*k].role.further().is_some()) { SQUEEZED } else { CLOSED }
+}
+
+fn closes(model: &Model, state: &State, pair @ [i, j]: [usize; 2]) -> Option<(f64, Point, [usize; 2])> {
     // Without the waiting gap.
     let moved = |k: usize, travel: f64| {
         let tool = &model.tools[k];
@@ -201,13 +220,15 @@ fn closed(model: &Model, state: &State) -> Option<(f64, Point)> {
             + tool.motion.displacement(travel, model.travel)
     };
     let limit = CLOSED * model.blank.thickness;
-    let apart = |travel: f64| punch.profile.distance_to(&die.profile, moved(i, travel) - moved(j, travel));
+    let [a, b] = pair.map(|k| &model.tools[k].profile);
+    let apart = |travel: f64| a.distance_to(b, moved(i, travel) - moved(j, travel));
     // Coarse search first: most punches never come close.
+    let end = ends_at(model, pair) * model.blank.thickness;
     const LOOKS: usize = 8;
     let travel_of = |k: usize| model.travel * k as f64 / LOOKS as f64;
     let nears = |k: usize| apart(travel_of(k)).0 < apart(travel_of(k - 1)).0;
     let hit = (1..=LOOKS).find(|&k| apart(travel_of(k)).0 < limit && nears(k))?;
-    let is_closed = |travel: f64| apart(travel).0 < limit;
+    let is_closed = |travel: f64| apart(travel).0 < end;
     let [_, high] = bisect(travel_of(hit - 1), travel_of(hit), 40, |travel| !is_closed(travel));
-    (high < model.travel).then(|| (high, apart(high).1))
+    (high < model.travel).then(|| (high, apart(high).1, pair))
 }

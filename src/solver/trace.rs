@@ -210,7 +210,6 @@ impl ConvergenceRate {
     }
 }
 
-/// Order of three falling increments, and the last over the one before.
 fn triple(increments: &[Option<f64>]) -> Option<(f64, f64)> {
     match *increments {
         [Some(a), Some(b), Some(c)] if a > b && b > c => Some(((c / b).ln() / (b / a).ln(), c / b)),

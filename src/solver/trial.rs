@@ -118,7 +118,6 @@ impl Trial {
     }
 }
 
-/// Shallow dome at about the held strain rate, as a start of the first step.
 fn guess_dome(step: &Step, moves: &mut [Node]) {
     let Some((gas, control)) = step.model.held_gas() else { return };
     let a = gas.within.min(step.model.blank.length);

@@ -5,7 +5,6 @@ use crate::case::files::{self, CSV, sha256};
 use crate::case::{self, CaseError};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-/// Hex digits of a hash that identifies inputs.
 const DIGITS: usize = 16;
 
 /// The case that a study varies.

@@ -90,7 +90,6 @@ pub(super) fn trends(
     numbers.into_iter().enumerate().map(panel).collect()
 }
 
-/// Process window: contour lines of each judged number at its limit, over the designs.
 fn window(sweep: &Sweep, runs: &RunTable, [x, y]: [usize; 2]) -> Panel {
     let axes = [x, y].map(|i| &sweep.axes[i]);
     let [along, up] = axes.map(|axis| &axis.positions);

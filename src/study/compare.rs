@@ -252,7 +252,6 @@ impl Member {
         self.outcome.numbers.iter().find(|own| own.is(number))
     }
 
-    /// Root mean square of computed less measured, and the points that it is of: `at 5 of 8 points`.
     fn misfit(&self, curve: &Spec) -> Option<(Amount, String)> {
         let computed = Computed::of(self.solution.stages.first()?);
         let points = computed.points(curve).ok()?;

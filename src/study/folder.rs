@@ -21,7 +21,6 @@ pub fn study_folder(name: &str, dir: &Path) -> Result<ResultFolder, WriteError> 
     ResultFolder::open(dir, is_ours)
 }
 
-/// Whether a path is one of some files: `.png` stands for any picture, # for a number.
 fn is_one(path: &Path, files: &str) -> bool {
     let name = path.to_string_lossy();
     let name = Format::stem(&name).map_or_else(|| name.to_string(), |stem| format!("{stem}.png"));

@@ -25,7 +25,6 @@ pub(super) struct Goal {
     pub holder: Option<HolderRule>,
 }
 
-/// Rule of the holder; `None` without a pressed holder, and where the command line gives its force.
 fn holder_rule(case: &Case, punch: f64) -> Option<HolderRule> {
     let model = case.model();
     let is_given = case.overrides.iter().any(|key| key.starts_with("tools.holder.") && !key.contains("friction"));

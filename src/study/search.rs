@@ -105,7 +105,6 @@ impl LimitSearch {
         missed.min_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))
     }
 
-    /// Failure of a run: `at 633.6 N/mm it tears (101 %)`.
     fn failure(&self, runs: &RunTable, run: &Run) -> Option<String> {
         let at = self.variable().display(run.value(0));
         let pulled = runs.response("tearing").ok().filter(|place| run.numbers[*place] >= 100.0);

@@ -80,7 +80,6 @@ fn plain(value: &Value) -> String {
     value.as_str().map_or_else(|| value.to_string(), str::to_owned)
 }
 
-/// `KEY=VALUES` of every dotted key below a table.
 fn pairs(table: &Table, above: &str) -> Result<Vec<String>> {
     let mut all = Vec::new();
     for (name, value) in table {

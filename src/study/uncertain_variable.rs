@@ -67,7 +67,6 @@ impl UncertainVariable {
     }
 }
 
-/// Distribution of a thickness within the tolerance of its sheet's standard, and its source.
 fn tolerance(case: &Case) -> Result<(String, Option<String>)> {
     let thickness = case.model().blank.thickness;
     let standard = case.sheet().and_then(|sheet| sheet.about.band?.thickness_tolerance);

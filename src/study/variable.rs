@@ -152,7 +152,6 @@ pub(super) fn split_pair(text: &str) -> Option<(&str, &str)> {
     Some((key.trim(), values.trim())).filter(|(key, values)| !key.is_empty() && !values.is_empty())
 }
 
-/// Whether a list is rather a number with a decimal comma, `0,04`: nobody writes a value as `04`.
 fn has_decimal_comma(list: &str) -> bool {
     let items: Vec<&str> = list.trim().split(',').collect();
     let digits = |item: &str| item.bytes().take_while(u8::is_ascii_digit).count();

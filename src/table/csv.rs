@@ -3,7 +3,6 @@
 use super::Unit;
 use csv::StringRecord;
 
-/// Most rows: a hundred times what a drawn curve needs.
 const MOST: usize = 100_000;
 /// Longest quotation from a file \[characters\].
 const LONGEST: usize = 40;

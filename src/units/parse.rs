@@ -99,7 +99,6 @@ pub fn thicknesses(text: &str) -> Option<f64> {
     split_number(text.trim()).filter(|(_, unit)| unit.trim() == THICKNESSES).map(|(number, _)| number)
 }
 
-/// Splits `^2`, `2`, `²` or `³` off; no power is 1.
 fn split_power(text: &str) -> Option<(i32, &str)> {
     let raised = |sign: char, power: i32| text.strip_prefix(sign).map(|rest| (power, rest));
     if let Some(square_or_cube) = raised('²', 2).or_else(|| raised('³', 3)) {

@@ -149,7 +149,6 @@ fn of_gas(model: &Model, gas: &Gas) -> Line {
     number("strain rate", rate, format!("{limits} {place}"))
 }
 
-/// Drive of a tool: `goes 3 mm`, `presses with 20 kN at the end`, `stands`.
 fn drive(model: &Model, tool: &Tool) -> String {
     let most = if model.stop.drawn_through { " at most" } else { "" };
     match &tool.motion {

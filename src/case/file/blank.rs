@@ -158,7 +158,6 @@ impl CaseFile {
         Ok(model::Blank { grading, theory, layers, rule, edge, ..blank })
     }
 
-    /// Meridian of a sheet that is not flat, its key, and what an earlier run made of it.
     fn meridian(&self, source: &Source) -> Result<Option<(&'static str, Profile, Option<Preform>)>> {
         let keys = ["tube", "profile", "earlier_run", "radius", "diameter", "half_length"];
         let blank = &self.blank;

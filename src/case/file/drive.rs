@@ -83,7 +83,6 @@ impl CaseFile {
     }
 }
 
-/// Drive by a travel over time, written at a key.
 fn driven_by(points: &[(NonNegative<Time>, NonNegative<Length>)], path: &str, source: &Source) -> Result<Drive> {
     let key = path.rsplit('.').next().unwrap_or(path);
     let points: Vec<(f64, f64)> = points.iter().map(|(time, travel)| (time.value(), travel.value())).collect();

@@ -134,7 +134,6 @@ impl Section {
         drawn.placed(role, context).map(|(profile, _)| profile)
     }
 
-    /// Chain of a file, of a tool on this side of the sheet or of the sheet itself.
     fn read(&self, path: &str, role: Role, of: (&str, Geometry), source: &Source) -> Result<(Profile, Origin)> {
         let (file, key, layer, fillet) = match self {
             Self::File(file) => (file, path.to_owned(), None, None),

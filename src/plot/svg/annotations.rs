@@ -8,9 +8,7 @@ use plotters::style::text_anchor::HPos;
 
 const GAP: f64 = 5.0;
 const AROUND: f64 = 6.0;
-/// Share of the panel's width at which a flag's text is broken.
 const WIDEST: f64 = 0.95;
-/// Radii of a flag's dot and of its white rim over the font size.
 const DOT: f64 = 0.23;
 const RIM: f64 = 0.36;
 

@@ -11,7 +11,6 @@ const GAP: f64 = 10.0;
 const SAMPLE: f64 = 38.0;
 const AFTER_SAMPLE: f64 = 8.0;
 const AFTER_LABEL: f64 = 20.0;
-/// Least width of small panels without axes and with axes.
 const SMALL: f64 = 230.0;
 const SMALL_WITH_AXES: f64 = 360.0;
 

@@ -6,7 +6,6 @@ use super::ticks::{Ticked, label, tick_count, values};
 use super::{annotations::Flags, *};
 use plotters::chart::{ChartBuilder, LabelAreaPosition};
 
-/// Most labels of the x axis, and the least width of each in a small panel.
 const X_TICKS: usize = 8;
 const NARROW_TICK: f64 = 70.0;
 const TICK_MARK: f64 = 6.0;
@@ -14,7 +13,6 @@ pub(super) const X_LABELS_HEIGHT: f64 = TICK_MARK + SPACING * (TICK + LABEL) + 4
 const AXIS: f64 = 1.2;
 const GRID: f64 = 0.8;
 const GRID_COLOR: Color = (215, 215, 215);
-/// Least and largest height of sections, and of small ones.
 const HEIGHTS: (f64, f64) = (290.0, 560.0);
 const SMALL_HEIGHTS: (f64, f64) = (110.0, 320.0);
 const BAR_HEIGHT: f64 = 18.0;

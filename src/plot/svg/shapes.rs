@@ -6,7 +6,6 @@ use plotters::element::{Circle, PathElement, Polygon};
 use plotters::style::{Color as _, ShapeStyle};
 use std::f64::consts::TAU;
 
-/// Radius of a dot, of a circle, and of the circle about a triangle.
 const DOT: f64 = 2.6;
 const CIRCLE: f64 = 5.0;
 const TRIANGLE: f64 = 4.0;

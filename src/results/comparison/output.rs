@@ -11,7 +11,6 @@ use crate::units::{Amount, Digits, joined, rounded, without_zeros};
 
 pub(in crate::results) const PREFIX: &str = "compare_";
 
-/// Largest drawn difference in tolerances, if half of the points lie within.
 const DRAWN: f64 = 6.0;
 const TOLERANCE: Style = Style::Line { color: GREY, width: 1.6, dash: &[6.0, 4.0] };
 /// Tints of the reference's colour for its band, and for the band widened by its measurement error.
@@ -206,7 +205,6 @@ impl Comparison {
     }
 }
 
-/// Text such as `467.3 to 468.5 mm`, or one value if both ends are alike.
 fn interval_text(ends: [f64; 2], unit: Unit) -> String {
     let ([low, high], unit) = (ends.map(|end| without_zeros(&four_digits(end)).to_owned()), unit.symbol());
     if low == high { format!("{low} {unit}") } else { format!("{low} to {high} {unit}") }

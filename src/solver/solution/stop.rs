@@ -18,7 +18,7 @@ named! {
     DrawnThrough: "drawn through", "The blank's edge has passed the die's throat.";
     LeftDie: "drawn through", "The rim has left the die's shoulder, as the case requests.";
     HolderClosed: "holder closed", "The holder has closed with its force.";
-    ToolsClosed: "tools closed", "Punch and die are too close for the sheet, or squeeze it beyond any equilibrium.";
+    ToolsClosed: "tools closed", "Two tools are too close for the sheet, or squeeze it beyond any equilibrium.";
     Interrupted: "interrupted", "The observer ended the run.";
     Creeping: "creeping", "The run spent its budget of tries.";
     NoEquilibrium: "no equilibrium", "No equilibrium was found down to the smallest step.";

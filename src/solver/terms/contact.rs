@@ -33,7 +33,6 @@ pub fn add(step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluat
     largest
 }
 
-/// Sums the forces of tool `j` on the points within its reach; returns the largest.
 fn press(step: &Step, trial: &mut Trial, at: &Linearisation, j: usize, out: &mut Evaluation) -> f64 {
     let Step { context, state, slip_scale, dt, .. } = *step;
     let (tool, displacement) = (&context.tools[j], trial.tools[j]);

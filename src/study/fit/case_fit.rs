@@ -97,7 +97,6 @@ impl CaseFitRequest {
         self.curves.iter().map(pair).collect()
     }
 
-    /// One over each point's standard deviation, or over the mean height of its curve; 0 where the run has no value.
     fn weights(&self, first: &[RunCurve], deviations: Option<&[Vec<f64>]>) -> Result<Vec<Vec<f64>>> {
         let mut all = Vec::new();
         for (i, (curve, (points, _))) in self.curves.iter().zip(first).enumerate() {

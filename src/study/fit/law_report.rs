@@ -11,7 +11,6 @@ use crate::units::{Amount, Digits, Unit, joined, rounded, significant, trimmed};
 const POINTS: usize = 160;
 /// Strain that is drawn, over the end of the points \[–\].
 const BEYOND: f64 = 2.0;
-/// Difference of Akaike's criterion from which the best law is clearly better.
 const CLEAR: f64 = 10.0;
 
 impl LawFits {

@@ -10,7 +10,6 @@ use crate::numerics::interpolated;
 use crate::solver::solution::{StageSolution, Stop};
 use crate::units::{Amount, Digits, Quantity};
 
-/// Numbers that a neck decides once there is one.
 const OF_A_NECK: [&str; 4] = ["thinnest", "thinning", "forming_limit", "hardening_range"];
 
 /// Numbers, curves and end of a run.
