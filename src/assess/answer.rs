@@ -104,6 +104,7 @@ fn numbers(case: &Case, stages: &[StageSolution], is_torn: bool) -> Vec<Quantity
         closing(case, stages),
         stages.first().and_then(die_gap),
         stages.last().and_then(hole),
+        stages.last().and_then(erichsen_index),
         stages.first().and_then(holder),
         stages.first().and_then(pad),
         stages.last().and_then(stripping),
@@ -126,7 +127,6 @@ fn thinnest(stages: &[StageSolution], end: &StepRecord, is_torn: bool) -> Option
     Some(Quantity::new("thinnest", "Thinnest", Amount::thickness(end.thinnest)).at(joined(about, ", ")))
 }
 
-/// Stage, counted from 0, and step of a largest value, and the value; `None` if it is nowhere above 0.
 type Peak<'a> = Option<(usize, &'a StepRecord, f64)>;
 
 fn largest(stages: &[StageSolution], values: fn(&StageSolution) -> Vec<f64>) -> Peak<'_> {
@@ -214,6 +214,15 @@ fn hole(stage: &StageSolution) -> Option<Quantity> {
     (hole > 0.0).then(|| Quantity::new("hole", "Hole", Amount::place(hole)).at(about))
 }
 
+/// Travel of Erichsen's ball, Ø 20 mm, at its largest force (ISO 20482).
+fn erichsen_index(stage: &StageSolution) -> Option<Quantity> {
+    let is_ball = (extent(stage.model.tool(Role::Punch)?).1 - 10.0).abs() < 1e-6;
+    let is_test = is_ball && stage.stop.kind == StopKind::LoadMaximum;
+    let (_, peak, _) = largest_force(std::slice::from_ref(stage)).filter(|_| is_test)?;
+    let index = Quantity::new("erichsen_index", "Erichsen index", Amount::place(peak.travel));
+    Some(index.at("IE, travel at the largest force, the end of the test (ISO 20482)"))
+}
+
 fn end(frame: &Frame) -> Option<Quantity> {
     let [.., before, node] = &frame.nodes[..] else { return None };
     let upright = (node.z - before.z) / (node.z - before.z).hypot(node.r - before.r);
@@ -247,7 +256,9 @@ fn holder(stage: &StageSolution) -> Option<Quantity> {
         return Some(Quantity::new("holder_gap", "Holder gap", Amount::size(gap)).at(about));
     }
     let force = Amount::force(super::largest(stage, |step| step.holder_force), model.extent().force_unit());
-    Some(Quantity::new("holder_force", "Holder", force.to(Digits::Significant(3))).at("at its largest"))
+    let beside = if model.beads.is_empty() { "" } else { ", beside what closes the beads" };
+    let force = Quantity::new("holder_force", "Holder", force.to(Digits::Significant(3)));
+    Some(force.at(format!("at its largest{beside}")))
 }
 
 fn stripping(stage: &StageSolution) -> Option<Quantity> {
@@ -299,7 +310,6 @@ fn under_load(before: Option<Amount>) -> String {
     before.map_or_else(String::new, |before| format!(", {before} under load"))
 }
 
-/// Draw-in of the last stage that forms, unless the edge left the die.
 fn draw_in(stages: &[StageSolution]) -> Option<Quantity> {
     let is_drawn_in = |on: &StageSolution| on.model.blank.meridian.is_none() && on.stop.kind != StopKind::LeftDie;
     let (_, stage) = formed(stages).last().filter(|(_, stage)| is_drawn_in(stage))?;

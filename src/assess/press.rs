@@ -42,11 +42,15 @@ impl<'a> Load<'a> {
         self.on.model.travel - self.step.travel
     }
 
-    /// Force of a holder that is pressed, with what its distance blocks bear \[N, or N/mm\].
+    /// Force of a holder that is pressed, with what its distance blocks bear and its beads take \[N, or N/mm\].
     pub fn holder(&self) -> f64 {
-        let holder = self.on.model.tool(Role::Holder);
-        let is_pressed = holder.is_some_and(|holder| matches!(holder.motion, Motion::Pressed(_)));
-        if is_pressed { self.step.holder_force + self.step.block_force } else { 0.0 }
+        match self.on.model.tool(Role::Holder).map(|holder| &holder.motion) {
+            Some(Motion::Pressed(press)) => {
+                let given = if self.on.model.beads.is_empty() { 0.0 } else { press.force.at(self.step.travel) };
+                given.max(self.step.holder_force + self.step.block_force)
+            }
+            _ => 0.0,
+        }
     }
 
     /// Force of the punch and of further tools that move up with it or by a path \[N, or N/mm\].
