@@ -60,8 +60,5 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let at = format!("{{}} between sheet and die at {}, {}", Amount::stress(pressure), filling.about(run.stages));
     let judged = Finding::judged("filling", "Filling", run.of_stage(at, 0)).number(Amount::thickness(filling.gap));
     let [lies, missed] = GAPS.map(|times| times * stage.model.blank.thickness);
-    // Of a membrane that does not harden p R is constant.
-    let from = filling.corner.map(|[own, of_die]| format!(", from {} on", Amount::stress(pressure * own / of_die)));
-    let advice = format!("more pressure{}; or a larger corner radius of the die", from.unwrap_or_default());
-    Some(judged.at_most(lies, missed).advice(advice))
+    Some(judged.at_most(lies, missed).advice("more pressure, or a larger corner radius of the die"))
 }

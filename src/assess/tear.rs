@@ -40,8 +40,8 @@ pub(super) fn localisation(run: &Run) -> Option<Finding> {
             judged(format!("it ended the run: {}", kind.name())).light(Light::Red)
         }
         (_, Some(neck)) => {
-            let (at, travel) = (place(run.stages, neck.s0), Amount::place(neck.travel));
-            let text = format!("it necks {at}, after {travel} of travel; what follows depends on the mesh");
+            let (at, when) = (place(run.stages, neck.s0), instant(last, neck.travel, neck.time));
+            let text = format!("it necks {at}, after {when}; what follows depends on the mesh");
             judged(text).light(Light::Red)
         }
         (_, None) => judged("none".into()),
@@ -165,10 +165,8 @@ fn on_part(stage: &StageSolution, s0: f64) -> String {
     place_on_part(stage, s0).map_or_else(|| measures.clone(), |place| format!("{place} ({measures})"))
 }
 
-/// Cosine of a wall's lean up to which it counts as upright, to a degree.
 const UPRIGHT: f64 = 0.9998;
 
-/// Sine of the slope up to which a bottom counts as level, to 20°.
 const LEVEL: f64 = 0.342;
 
 /// Nose of a punch, its innermost corner that begins level, and whether it ends in an upright wall.

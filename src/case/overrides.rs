@@ -51,7 +51,8 @@ pub(crate) fn apply(text: &str, overrides: &[String]) -> Result<String> {
     Ok(document.to_string())
 }
 
-/// Overrides of every table in one, `tools.*.friction=0.1`; `friction` is of every tool, `strength`, `coil` of the metal.
+/// Overrides of every table in one, `tools.*.friction=0.1`; `friction` is of every tool, `strength`, `coil` of the metal;
+/// `last` is the last entry of a list.
 fn spread(document: &DocumentMut, written: &str) -> Vec<String> {
     let Some((path, value)) = written.split_once('=') else { return vec![written.to_owned()] };
     let path = match path.trim() {
@@ -60,9 +61,13 @@ fn spread(document: &DocumentMut, written: &str) -> Vec<String> {
         "coil" => "material.coil",
         _ => path,
     };
+    let found = |above: &str| above.split('.').map(str::trim).try_fold(document.as_item(), |item, key| item.get(key));
+    if let Some((above, below)) = path.split_once(".last.") {
+        let entries = found(above).and_then(Item::as_array).map_or(0, toml_edit::Array::len);
+        return vec![format!("{above}.{}.{below}={value}", entries.saturating_sub(1))];
+    }
     let Some((above, below)) = path.split_once(".*.") else { return vec![format!("{path}={value}")] };
-    let all = above.split('.').map(str::trim).try_fold(document.as_item(), |item, key| item.get(key));
-    let tables = all.and_then(Item::as_table_like).into_iter().flat_map(|table| table.iter());
+    let tables = found(above).and_then(Item::as_table_like).into_iter().flat_map(|table| table.iter());
     let tables: Vec<&str> = tables.filter(|(_, item)| item.is_table_like()).map(|(key, _)| key).collect();
     match tables.is_empty() {
         true => vec![format!("{path}={value}")],

@@ -3,6 +3,7 @@
 use super::{variable::split_number, verdict::is_known, *};
 use crate::assess::advice::{self, Tried, is_open};
 use crate::assess::{Finding, error_bars::ErrorBars, error_bars::answered, judgements};
+use crate::model::{Edge, Role};
 use crate::solver::solution::StageSolution;
 use rayon::prelude::*;
 
@@ -13,7 +14,11 @@ const WORK: usize = 30_000_000;
 type Change = (&'static str, &'static [&'static str], fn(f64) -> f64);
 
 /// Changes in the order of trial: steps of a shop's try-out, good lubrication (0.05), a dry punch (0.15); declared.
-const CHANGES: [Change; 21] = [
+const CHANGES: [Change; 25] = [
+    ("pressure", &["gas.lower.pressure.last.1"], |x| 1.4 * x),
+    ("pressure", &["gas.lower.pressure.last.1"], |x| 2.0 * x),
+    ("pressure", &["gas.lower.pressure.last.1"], |x| 3.5 * x),
+    ("pressure", &["gas.lower.pressure.last.1"], |x| 7.0 * x),
     ("die radius", &["tools.die.shoulder"], |x| x * 4.0 / 3.0),
     ("punch nose", &["tools.punch.flat.nose"], |x| x * 4.0 / 3.0),
     ("hole diameter", &["blank.hole_diameter"], |x| 1.1 * x),
@@ -43,7 +48,10 @@ pub(super) fn advise(solution: &Solution, bars: Option<&ErrorBars>, findings: &m
         return;
     }
     let changes = CHANGES.iter().filter_map(|change| Some((change.2(1.0) > 1.0, settings(&solution.case, change)?)));
-    let changes: Vec<_> = changes.take(RUNS.min(WORK / work(solution).max(1))).collect();
+    let mut changes: Vec<_> = changes.collect();
+    // One tool alone has the friction of all.
+    changes.dedup_by(|b, a| a.1.2 == b.1.2);
+    changes.truncate(RUNS.min(WORK / work(solution).max(1)));
     let tried = changes.into_par_iter().with_max_len(1).filter_map(|(is_more, (words, size, settings))| {
         let case = case::parse(&solution.case.text, &solution.case.path.to_string_lossy(), &settings).ok()?;
         let solution = BaseCase::solve(case, watch).ok().filter(is_known)?;
@@ -61,14 +69,17 @@ fn settings(case: &Case, &(words, keys, change): &Change) -> Option<(String, &'s
     for (path, value) in keys.iter().flat_map(|key| case.written(key)) {
         let (old, unit) = split_number(&value)?;
         let new = significant(change(old), if (0.8..1.2).contains(&(change(old) / old)) { 3 } else { 2 });
-        // A finished part needs its blank.
-        let is_free = case.finished.height.is_none() || !path.starts_with("blank.");
-        (new != old && is_free).then_some(())?;
+        // A finished part needs its blank, a clamped one the die's edge.
+        let is_held = case.model().blank.edge == Edge::Clamped && path != "blank.hole_diameter";
+        let is_kept = path.starts_with("blank.") && (case.finished.height.is_some() || is_held);
+        (new != old && !is_kept).then_some(())?;
         let variable = Variable::new(&path, unit.to_owned());
         all.push(variable.setting(&written(new)));
         shown = Some(variable.display(new));
     }
-    Some((format!("{words} {}", shown?), words, all))
+    let has_holder = case.model().tool(Role::Holder).is_some();
+    let named = if has_holder { words.to_owned() } else { words.replace("die and holder", "the die") };
+    Some((format!("{named} {}", shown?), words, all))
 }
 
 /// Work of a run, by which the time of others is known \[iterations × elements × points\].
