@@ -224,8 +224,8 @@ fn only_line(bytes: &[u8], layer: Option<&str>, role: Role) -> Result<Profile> {
     let is_ours = |name: &&&str| layer.is_none_or(|layer| layer.eq_ignore_ascii_case(name));
     let layers = names.iter().filter(is_ours).map(|name| ((*name).to_owned(), tool)).collect();
     let strokes = stroke::strokes(&entities, &layers, tool, &frame)?;
-    let what =
-        || format!("no line is drawn there; its layers are {}", layers::list(names.iter().map(|n| (*n).to_owned())));
-    ensure(!strokes.is_empty(), || ImportError::new(what(), ""))?;
+    let place = layer.map_or_else(|| "there".to_owned(), |layer| format!("on layer {layer}"));
+    let all = layers::list(names.iter().map(|name| (*name).to_owned()));
+    ensure(!strokes.is_empty(), || ImportError::new(format!("no line is drawn {place}; its layers are {all}"), ""))?;
     Ok(orient::section(tool, halves::right(strokes, tool, &frame)?, Heading::Up, &frame)?.profile)
 }

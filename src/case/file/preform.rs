@@ -19,6 +19,15 @@ pub fn read(folder: &str, thickness: f64, geometry: Geometry, source: &Source) -
     let (file, path) = (format!("{folder}/profile.csv"), source.folder.path.join(folder));
     let is_file = source.folder.files.text(&path, files::CSV).is_ok();
     source.require(!is_file, KEY, format!("\"{folder}\" is a file, not the folder of a run"), EXAMPLE)?;
+    // Several stages have a folder each.
+    let stages = source.folder.files.text(&path.join("stages.csv"), files::CSV).unwrap_or_default();
+    let stages = stages.lines().skip(1).filter_map(|row| {
+        let mut cells = row.split(',');
+        Some(format!("\"{folder}/{}-{}\"", cells.next()?, cells.next()?))
+    });
+    let stages = joined(stages, ", ");
+    let what = format!("the run in \"{folder}\" has stages");
+    source.require(stages.is_empty(), KEY, what, format!("give the folder of one: {stages}"))?;
     let (text, csv) = Named { file: &file, what: "earlier run's", example: EXAMPLE, key: KEY }.open(source)?;
     let strains = ["strain_meridional", "strain_hoop", "strain_equivalent", "strain_thickness"];
     let names = [&["s0_mm", "r_mm", "z_mm", "thickness_mm"], &strains[..]].concat();
