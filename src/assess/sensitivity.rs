@@ -55,8 +55,9 @@ pub fn neighbours(case: &Case, findings: &[Finding]) -> Vec<(Neighbour, Case)> {
 /// Judges friction and hardening by the solved [`neighbours`].
 pub fn judge(solution: &Solution, others: &[(Neighbour, Solution)], findings: &mut [Finding]) {
     let after: Vec<_> = others.iter().map(|(other, run)| (other, changed(solution, findings, run))).collect();
+    let is_test = solution.case.model().stop.load_drop.is_some();
     for (key, advice) in [
-        ("friction", "measure it, or leave more margin there"),
+        ("friction", if is_test { "measure it" } else { "measure it, or leave more margin there" }),
         ("hardening_range", "add points at larger strains, from a bulge test"),
     ] {
         let of_row: Vec<_> = after.iter().filter(|((row, _), _)| *row == key).collect();

@@ -115,6 +115,9 @@ fn summary(view: &StageView, assessment: &Assessment) -> String {
         None if assessment.open().is_some() => {
             "The limit ends in plane strain, and places beyond its end are not judged.".to_owned()
         }
+        None if assessment.elements.iter().any(|element| element.of_edge && element.margin() < 0.0) => {
+            "Beyond the limit is only the edge, which has one of its own.".to_owned()
+        }
         None => "The limit is not reached.".to_owned(),
     };
     let worst = assessment.worst();
