@@ -62,7 +62,6 @@ pub fn advise(findings: &mut [Finding], tried: &[Tried]) {
 }
 
 impl Tried {
-    /// Gain of a row: lights, or less than one for its number alone; `None` if not worth a change or against practice.
     fn gain(&self, row: &Finding) -> Option<f64> {
         let holds_more = HOLDS_MORE.contains(&(self.size, self.is_more)) && PULLED.contains(&row.key);
         let new =

@@ -4,7 +4,7 @@ use super::filling::Filling;
 use super::press::{Load, RESERVE, with_tonnes};
 use super::tear::{self, Tear, place, tear};
 use super::{finding::labels, *};
-use crate::measure::{OPENING_ANGLE, Shape, part_height, stripping_force, wall_at};
+use crate::measure::{OPENING_ANGLE, Shape, end_diameter, part_height, stripping_force, wall_at};
 use crate::solver::solution::Frame;
 
 /// Verdict in one sentence, and the numbers that a part is known by.
@@ -44,10 +44,14 @@ impl Answer {
 }
 
 fn sentence(stages: &[StageSolution], findings: &[Finding], failures: &[FailureMode], tear: Option<&Tear>) -> String {
-    if let Some(tear) = tear {
-        return tear.sentence(stages.len());
-    }
     let row = |key: &str| judgements(findings).find(|finding| finding.key == key);
+    let folds = row("fold").map_or_else(String::new, |row| first_clause(&row.text).to_owned());
+    if let Some(tear) = tear.filter(|tear| fold::first(stages).is_none_or(|(i, frame)| tear.is_before(i, frame.time))) {
+        return joined([tear.sentence(stages.len()), folds], "; ");
+    }
+    if !folds.is_empty() {
+        return folds;
+    }
     let is = |key: &str, light: Light| row(key).is_some_and(|finding| finding.light == light);
     let share = |key: &str| row(key)?.value().map(|percent| 0.01 * percent);
     match stages.last().map(|stage| &stage.stop) {
@@ -88,6 +92,7 @@ fn sentence(stages: &[StageSolution], findings: &[Finding], failures: &[FailureM
             format!("{thins}, more than the {rule} rule of thumb; no forming limit is given")
         }
         _ if !amber.is_empty() => format!("it does not tear; look at {amber}"),
+        _ if is("edge", Light::Grey) => "it does not tear; whether the edge cracks is not judged".into(),
         _ if is("springback", Light::Grey) && largest_force(stages).is_some() => {
             "it does not tear; its spring-back is not judged".into()
         }
@@ -119,11 +124,27 @@ fn numbers(case: &Case, stages: &[StageSolution], is_torn: bool) -> Vec<Quantity
     all.into_iter().flatten().collect()
 }
 
+/// Change of thickness that a whole percent does not show \[–\].
+const NOTHING: f64 = 0.005;
+
+fn thicker(stages: &[StageSolution]) -> Option<String> {
+    let elements = &stages.last()?.frames.last()?.elements;
+    let most = elements.iter().max_by(|a, b| a.strain_thickness.total_cmp(&b.strain_thickness))?;
+    let [thickness, more] = [Amount::thickness(most.thickness), Amount::share(most.strain_thickness.exp_m1())];
+    let text = format!("thickest {thickness}, {more} thicker, {}", place(stages, most.s0));
+    (most.strain_thickness > NOTHING).then_some(text)
+}
+
 fn thinnest(stages: &[StageSolution], end: &StepRecord, is_torn: bool) -> Option<Quantity> {
     let thinning = (1.0 - end.thinnest / stages.last()?.model.blank.unformed_thickness(end.thinnest_s0)).max(0.0);
-    let after = if is_torn { "after the tear" } else { "" };
+    // What comes after it is another sheet.
+    let after = if is_torn {
+        "after the tear".into()
+    } else {
+        thicker(stages).filter(|_| thinning < NOTHING).unwrap_or_default()
+    };
     let thinner = Amount::share((1e4 * thinning).round() / 1e4);
-    let about = [format!("{thinner} thinner"), place(stages, end.thinnest_s0), after.into()];
+    let about = [format!("{thinner} thinner"), place(stages, end.thinnest_s0), after];
     Some(Quantity::new("thinnest", "Thinnest", Amount::thickness(end.thinnest)).at(joined(about, ", ")))
 }
 
@@ -150,18 +171,23 @@ pub(super) fn load(case: &Case, stages: &[StageSolution], bar: f64) -> Option<Qu
         return Some(pressure.at(joined([stage(i), at], ", ")));
     };
     let pressed = Load::largest(stages, &case.press)?;
+    let fed = stages[i].model.blank.edge == Edge::Fed && stages[i].model.tool(Role::Punch).is_none();
+    // A feeding cylinder bears the end of the tube and the pressure on its seal.
+    let (i, peak, force) = if fed { pressed.peak() } else { (i, peak, force) };
+    let seal = Some(pressed.thrust()).filter(|thrust| *thrust > 0.0);
+    let seal =
+        seal.map_or_else(String::new, |thrust| format!("{} of it the pressure's on the seal", pressed.amount(thrust)));
     let of = |on: &StageSolution| match on.model.worker() {
         role @ (Role::Upper(_) | Role::Lower(_)) => format!("of the {}", on.model.name_of(role)),
         _ => String::new(),
     };
     let at = format!("at {}", instant(&stages[i], peak.travel, peak.time));
-    let at = joined([of(&stages[i]), stage(i), at], ", ");
+    let at = joined([of(&stages[i]), stage(i), at, seal], ", ");
     let others = formed(stages).filter(|(other, _)| *other != i).filter_map(|(other, on)| {
         let force = Some(on.working_force().into_iter().fold(0.0, f64::max)).filter(|force| *force > 0.0)?;
         Some(joined([format!("{} in stage {}", pressed.amount(force), other + 1), of(on)], " "))
     });
     let about = joined([at, joined(others, ", "), press(case, &pressed, bar)], "; ");
-    let fed = stages[i].model.tool(Role::Punch).is_none();
     let label = if !of(&stages[i]).is_empty() {
         "Tool force"
     } else if fed {
@@ -224,10 +250,8 @@ fn erichsen_index(stage: &StageSolution) -> Option<Quantity> {
 }
 
 fn end(frame: &Frame) -> Option<Quantity> {
-    let [.., before, node] = &frame.nodes[..] else { return None };
-    let upright = (node.z - before.z) / (node.z - before.z).hypot(node.r - before.r);
-    let about = format!("outside in diameter, its edge {} thick", Amount::thickness(node.thickness));
-    Some(Quantity::new("end", "End", Amount::place(2.0 * node.r + node.thickness * upright.abs())).at(about))
+    let about = format!("outside in diameter, its edge {} thick", Amount::thickness(frame.nodes.last()?.thickness));
+    Some(Quantity::new("end", "End", Amount::place(end_diameter(frame)?)).at(about))
 }
 
 fn pad(stage: &StageSolution) -> Option<Quantity> {

@@ -52,7 +52,6 @@ pub fn draws<'a>(models: impl Iterator<Item = &'a Model>) -> Vec<f64> {
     radii
 }
 
-/// Ratio of the steepest redraw, and the draws that the ratio of blank to last punch takes; of a single draw its own.
 pub(super) fn redraw(run: &Run) -> Option<Finding> {
     let radii = draws(run.stages.iter().map(|stage| &stage.model));
     let [blank, first, .., last] = radii[..] else { return single(run) };
@@ -107,7 +106,6 @@ pub(super) fn wrinkling(run: &Run) -> Option<Finding> {
     })
 }
 
-/// Wall that hangs free or is redrawn without a sleeve: it may pucker, and no index here says whether.
 pub(super) fn wall_wrinkles(run: &Run) -> Option<Finding> {
     let first = run.stages.first()?;
     let (is_redrawn, is_flat) = (first.model.blank.preform.is_some(), first.model.blank.meridian.is_none());
@@ -132,7 +130,6 @@ pub(super) fn wall_wrinkles(run: &Run) -> Option<Finding> {
     Some(judged.limit("an axisymmetric run cannot wrinkle, and no rule for it could be read"))
 }
 
-/// Delayed cracking, which no line judges, of a round part beyond two draws without annealing.
 pub(super) fn delayed_cracking(run: &Run) -> Option<Finding> {
     let (first, last) = (&run.stages.first()?.model, &run.stages.last()?.model);
     let (most, ratio) = (AUSTENITIC.total(2), first.blank.length / extent(last.tool(Role::Punch)?).1);
@@ -147,7 +144,6 @@ pub(super) fn delayed_cracking(run: &Run) -> Option<Finding> {
     warning.at_most(most + ROUNDED_RATIO, None).advice(advice).if_beyond()
 }
 
-/// Ears about the computed rim, if the edge is drawn in; of a trimmed rim grey without r-values by direction.
 pub(super) fn ears(run: &Run) -> Option<Finding> {
     let last = run.stages.last()?;
     let frame = last.frames.last()?;
@@ -173,7 +169,6 @@ pub(super) fn ears(run: &Run) -> Option<Finding> {
     Some(judged.limit("none: more is trimmed off").source(source))
 }
 
-/// Part of the rim or the flange that is left to trim off, or is missing, and what the finished part measures.
 pub(super) fn trim_allowance(run: &Run) -> Option<Finding> {
     let Finished { height, diameter, flange_diameter } = run.case.finished;
     let is_whole = run.stages.len() == run.case.stages.len() && run.stages.iter().all(|stage| stage.stop.is_complete());

@@ -15,7 +15,6 @@ pub(super) fn reached(stage: &StageSolution) -> Option<[f64; 2]> {
 /// Expansion from which on the end of a tube is widened \[–\]: half a percent.
 const WIDENED: f64 = 0.005;
 
-/// Largest expansion of the hole, or of the end of a sheet that is not flat; grey without a limit of the cut edge.
 pub(super) fn judge(run: &Run) -> Option<Finding> {
     let blank = &run.case.model().blank;
     let is_hole = blank.has_hole() && blank.meridian.is_none();

@@ -14,12 +14,10 @@ pub(crate) fn clearance(model: &Model, travel: f64) -> Option<f64> {
     Some(straight.map_or_else(|| gap(punch, die, travel).0, |throat| throat - extent(punch).1))
 }
 
-/// True of a die with a land, as of a ring that irons on purpose.
 pub(super) fn has_land(model: &Model) -> bool {
     model.tool(Role::Die).is_some_and(|die| die.profile.land().is_some())
 }
 
-/// Blank over the punch's [`mouth`], where a blank is drawn in over a punch that is smaller.
 pub(crate) fn draw_ratio(model: &Model) -> Option<f64> {
     let punch = model.tool(Role::Punch)?;
     let is_flat = model.blank.meridian.is_none();

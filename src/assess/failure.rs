@@ -30,7 +30,7 @@ impl FailureMode {
         let mode = |key| match key {
             "stop" if is_tear => Self::Tears,
             "thinning" | "localisation" | "forming_limit" | "fracture" | "edge" | "tearing" => Self::Tears,
-            "wrinkling" | "wall_wrinkles" => Self::Wrinkles,
+            "wrinkling" | "wall_wrinkles" | "fold" => Self::Wrinkles,
             "press_force" | "energy" => Self::Press,
             _ => Self::Other,
         };

@@ -7,7 +7,6 @@ use crate::geometry::{Point, on_axis};
 /// Gap over the thickness up to which the sheet lies against the die, and above which it misses the die's form: declared \[–\].
 const GAPS: [f64; 2] = [0.1, 1.0];
 
-/// Largest gap between sheet and die at the end of a stage under pressure.
 pub(super) struct Filling {
     /// \[mm\]
     pub gap: f64,

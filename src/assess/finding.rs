@@ -95,12 +95,10 @@ impl Finding {
         Self { key, label, light, quantity, text, limit, source, advice, when: When::After, kind, stage: None }
     }
 
-    /// Row of the verdict; green until a limit or [`Self::light`] says otherwise.
     pub(super) fn judged(key: &'static str, label: &'static str, text: impl Into<String>) -> Self {
         Self::new(Kind::Judgement, Light::Green, key, label, text)
     }
 
-    /// Warning; its sentence is `text: advice`.
     pub(crate) fn warning(key: &'static str, label: &'static str, text: impl Into<String>) -> Self {
         Self::new(Kind::Warning, Light::Amber, key, label, text)
     }
@@ -113,17 +111,14 @@ impl Finding {
         Self { light, ..self }
     }
 
-    /// Sets the number, which takes the place of `{}` in the text.
     pub(super) fn number(self, amount: Amount) -> Self {
         Self { quantity: Some(Quantity::new(self.key, self.label, amount)), ..self }
     }
 
-    /// Sets the upper limits for amber and red in the unit of the number, and the light by them.
     pub(super) fn at_most(self, amber: f64, red: impl Into<Option<f64>>) -> Self {
         self.limited(Sense::AtMost, amber, red.into())
     }
 
-    /// Sets the lower limits for amber and red in the unit of the number, and the light by them.
     pub(super) fn at_least(self, amber: f64, red: impl Into<Option<f64>>) -> Self {
         self.limited(Sense::AtLeast, amber, red.into())
     }
@@ -157,7 +152,6 @@ impl Finding {
         Self { source: source.into(), ..self }
     }
 
-    /// Sets the change to make, unless the finding is green.
     pub(super) fn advice(self, advice: impl Into<String>) -> Self {
         if self.light == Light::Green { self } else { Self { advice: advice.into(), ..self } }
     }

@@ -8,7 +8,6 @@ use crate::rules::THIN;
 /// Share of the limit strain above which scatter of metal and process may reach it \[–\].
 pub const CAREFUL: f64 = 0.9;
 
-/// Stage that comes nearest to its forming limit, by the margin that decides its worst place too.
 pub(super) struct Nearest<'a> {
     pub curve: &'a Curve,
     pub stage: &'a StageSolution,

@@ -48,7 +48,6 @@ pub fn holder_lift(stage: &StageSolution) -> Option<f64> {
     Some(held.map(|step| closed - step.holder_move).fold(0.0, f64::max))
 }
 
-/// Lift of the holder until the flange runs out, its first pressure, and whether the rim takes nearly all of its force.
 pub(super) fn judge(run: &Run) -> Option<Finding> {
     let first = run.stages.first()?;
     let (model, thickness) = (&first.model, first.model.blank.thickness);
@@ -71,7 +70,6 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     Some(judged.limit(format!("{lifted} at most, red above {off}; at most {}", Amount::stress(most))).light(light))
 }
 
-/// Holder that rests on its distance blocks, where it presses no sheet, for a large part of the travel.
 pub(super) fn rests(stage: &StageSolution) -> Option<Finding> {
     let (mut longest, mut from) = ([0.0; 2], 0.0);
     for record in &stage.steps {
@@ -112,7 +110,6 @@ pub(super) fn stays_open(stage: &StageSolution) -> Option<Finding> {
     Some(warning.light(Light::Amber).limit(format!("open by at most {} t", Amount::number(OPEN))))
 }
 
-/// A finding on a holder that stands too far open when the draw begins, with its gap; grey, for nothing else is judged then.
 pub(super) fn if_open(stage: &StageSolution, finding: Finding) -> Option<Finding> {
     let gap = stage.closing?.gap;
     let finding = finding.number(Amount::thickness(gap)).light(Light::Grey);

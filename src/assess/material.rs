@@ -49,7 +49,6 @@ pub(super) fn earlier(model: &Model) -> Option<Finding> {
     (!sheet.material.is_empty() && sheet.material != own).then_some(warning)
 }
 
-/// Whether the sheet is weaker than any; hot sheet, whose stress depends on the rate, may be.
 pub(super) fn is_weak(model: &Model) -> bool {
     tensile_strength(&model.material) < STRENGTHS[0] && model.material.rate.is_none()
 }
@@ -69,7 +68,6 @@ pub(super) fn short(model: &Model) -> Option<Finding> {
     Finding::warning("short_table", "Hardening law", text).number(end).at_least(FAR, None).if_beyond()
 }
 
-/// Amber if Hill's condition is too soft for a low r̄ where the worst place is stretched both ways, or too strong for a high one.
 pub(super) fn yield_condition(run: &Run) -> Option<Finding> {
     let (criterion, last) = (run.case.model().material.yield_criterion, run.stages.last()?);
     last.steps.last()?;
@@ -107,7 +105,6 @@ fn is_biaxial(run: &Run, last: &StageSolution) -> bool {
     thinnest.into_iter().chain(nearest).any(|[a, b]| a.min(b) > 0.0 && a.max(b) > SHORTEST)
 }
 
-/// Hardening within the range of the law's fit; beyond it, judged once a run with less hardening there is solved.
 pub(super) fn hardening(run: &Run) -> Option<Finding> {
     let material = &run.stages.last()?.model.material;
     let points = run.stages.iter().flat_map(|stage| stage.end.points.iter());

@@ -14,6 +14,7 @@ pub mod estimate;
 mod failure;
 mod filling;
 mod finding;
+mod fold;
 mod forming_limit;
 mod fracture;
 mod holder;
@@ -31,6 +32,7 @@ pub use answer::{Answer, largest_force};
 pub use draw::draws;
 pub use failure::FailureMode;
 pub use finding::{Finding, Kind, Light, When, by_advice, first_clause, headline, judgements, sentences, unchecked};
+pub use fold::folded;
 pub use forming_limit::{CAREFUL, Used, used as forming_limit_used};
 pub use holder::holder_lift;
 pub use size::{SIZE_CHECKS, size_doubts};
@@ -78,6 +80,7 @@ const ON_RUN: &[fn(&Run) -> Option<Finding>] = &[
     draw::redraw,
     draw::wrinkling,
     draw::wall_wrinkles,
+    fold::judge,
     press::force,
     press::energy,
     holder::judge,

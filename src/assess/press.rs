@@ -58,7 +58,19 @@ impl<'a> Load<'a> {
         let is_driven = |tool: &Tool| !matches!(tool.motion, Motion::Fixed | Motion::Pressed(_));
         let tools = self.on.model.tools.iter().zip(self.forces);
         let below = tools.filter(|(tool, _)| matches!(tool.role, Role::Lower(_)) && is_driven(tool));
-        self.step.punch_force + below.map(|(_, force)| force).sum::<f64>() + self.closing()
+        self.step.punch_force + below.map(|(_, force)| force).sum::<f64>() + self.closing() + self.thrust()
+    }
+
+    /// Force of the pressure inside a tube on the seal by which its end is fed \[N, or N/mm\].
+    pub fn thrust(&self) -> f64 {
+        let (model, blank) = (&self.on.model, &self.on.model.blank);
+        let inside = model.extent().area(blank.edge_radius() - 0.5 * blank.thickness);
+        if blank.edge == Edge::Fed { self.step.pressure.max(0.0) * inside } else { 0.0 }
+    }
+
+    /// Stage, step and force.
+    pub fn peak(&self) -> (usize, &'a StepRecord, f64) {
+        (self.stage, self.step, self.force())
     }
 
     /// Force that holds the tools of a flat sheet without a punch closed: the larger pressure of both faces over the area within
@@ -109,8 +121,9 @@ pub(super) fn force(run: &Run) -> Option<Finding> {
         _ => Amount::stress(load.step.pressure.abs()).to_string(),
     };
     let at = format!("{{}}{} at {instant}", per_depth(amount(0.0)));
-    let held = Some(load.holder()).filter(|force| *force > 0.0);
-    let parts = held.map_or_else(String::new, |force| format!("{} of it the holder's", amount(force)));
+    let parts = [(load.holder(), "the holder's"), (load.thrust(), "the pressure's on the seal")];
+    let parts = parts.into_iter().filter(|(force, _)| *force > 0.0);
+    let parts = joined(parts.map(|(force, of)| format!("{} of it {of}", amount(force))), ", ");
     let angle = press.drive.as_ref().map_or_else(String::new, |drive| {
         format!(", {} before the bottom dead centre", Amount::angle(drive.degrees(load.left())))
     });

@@ -7,7 +7,6 @@ const CHANGE: f64 = 0.02;
 /// Share of its hardening that a sheet keeps beyond the range of its law's fit, which a verdict should bear \[–\]: declared.
 const WEAKER: f64 = 0.5;
 
-/// Friction, judged once runs with less and more of it are solved.
 pub(super) fn row(run: &Run) -> Option<Finding> {
     let most = largest_coefficient(run.case.model())?;
     let judged = Finding::judged("friction", "Friction", "{}; less and more were not solved").light(Light::Grey);

@@ -90,7 +90,6 @@ const YIELDED: f64 = 1e-4;
 /// Share of the sheet that is reported \[–\].
 const LEAST: f64 = 1e-3;
 
-/// Share of the volume that yields again after release; with elasticity alone, whose stress exceeds the yield stress.
 pub(super) fn yields_again(stage: &StageSolution) -> Option<Finding> {
     let (model, end) = (&stage.model, &stage.end);
     model.release?;
@@ -132,7 +131,6 @@ pub(super) fn mesh(model: &Model) -> Option<Finding> {
 
 const UPRIGHT: f64 = 0.9994;
 
-/// Punch or die whose line ends before the travel, so that the sheet bends over its end.
 pub(super) fn line_end(model: &Model, tool: &Tool) -> Option<Finding> {
     // Punches go up through the sheet; dies are passed by it on its way up.
     let (behind, whole) = match tool.role {

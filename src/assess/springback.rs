@@ -21,7 +21,6 @@ struct Judged<'a> {
     tolerance: f64,
 }
 
-/// Released part against its tolerances; plane sections of the flow law, without elasticity, are not judged.
 pub(super) fn judge(run: &Run) -> Option<Finding> {
     let last = run.stages.last()?;
     let limits = &run.case.springback;

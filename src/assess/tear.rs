@@ -10,7 +10,6 @@ pub(super) const CAREFUL: f64 = 0.20;
 /// Thinning that is refused without a forming limit \[–\].
 const REFUSED: f64 = 0.30;
 
-/// Largest thinning of the last stage, against the rule of thumb where no forming limit judges and the metal is not superplastic.
 pub(super) fn thinning(run: &Run) -> Option<Finding> {
     let (elements, model) = (&run.stages.last()?.frames.last()?.elements, run.case.model());
     let most = elements.iter().min_by(|a, b| a.strain_thickness.total_cmp(&b.strain_thickness))?;
@@ -53,7 +52,6 @@ pub(super) fn localisation(run: &Run) -> Option<Finding> {
 /// Tearing index from which scatter of sheet and friction may tear it, and at which it tears \[–\].
 pub(super) const TEARING: [f64; 2] = [0.9, 1.0];
 
-/// Change after which a part is pulled less: of a draw, of another part under a holder, or of one without.
 pub(super) fn remedy(model: &Model) -> &'static str {
     match (estimate::draw_ratio(model), model.tool(Role::Holder)) {
         (Some(_), Some(_)) => "one draw more, larger radii, or less friction of die and holder",
@@ -99,7 +97,6 @@ pub(super) struct Tear<'a> {
     verb: &'static str,
 }
 
-/// First tear: where the limit of forming, of a hole's edge, of tearing or of damage is first reached, or where the run ended by one.
 pub(super) fn tear(stages: &[StageSolution]) -> Option<Tear<'_>> {
     let mut tears = formed(stages).filter_map(|(stage, on)| {
         let event = |verb, instant, s0| Tear { stage, on, instant, s0, verb };
@@ -125,6 +122,11 @@ pub(super) fn tear(stages: &[StageSolution]) -> Option<Tear<'_>> {
 }
 
 impl Tear<'_> {
+    /// `time` \[s\]
+    pub fn is_before(&self, stage: usize, time: f64) -> bool {
+        (self.stage, self.instant[0]) < (stage, time)
+    }
+
     /// `it tears in the wall, next to the punch radius, in stage 2, after 18.2 mm of 32.0 mm of travel`
     pub fn sentence(&self, stages: usize) -> String {
         let place = self.s0.map_or_else(String::new, |s0| on_part(self.on, s0));

@@ -44,7 +44,6 @@ pub(super) fn narrow(model: &Model) -> Option<Finding> {
     Some(Finding::warning("narrow_clearance", "Clearance", text).number(Amount::size(gap)).at_least(t, None))
 }
 
-/// Further tool that runs into another one, at the start or where both are led.
 pub(super) fn overlap(model: &Model) -> Option<Finding> {
     let (t, whole) = (model.blank.thickness, model.travel);
     let later = |(i, a)| model.tools[i + 1..].iter().map(move |b| [b, a]);
@@ -66,7 +65,6 @@ pub(super) fn overlap(model: &Model) -> Option<Finding> {
     Some(warning.limit("apart").source("the sections").advice("another profile, `gap` or drive"))
 }
 
-/// Further tools that never touch the sheet, the first one with how near it comes.
 pub(super) fn idle(run: &Run) -> Option<Finding> {
     let last = run.stages.last().filter(|last| last.stop.is_complete())?;
     let touches = |name: &str| {
@@ -91,7 +89,6 @@ pub(super) fn idle(run: &Run) -> Option<Finding> {
     Some(judged.limit("in contact").source("the run").advice(format!("{drive}, or a smaller `gap`")))
 }
 
-/// Gap between punch and die over the thickness in the worst stage, else the last; wide ones matter beside an upright wall.
 pub(super) fn clearance(run: &Run) -> Option<Finding> {
     let blank = &run.case.model().blank;
     let judged = |i: usize, stage: &StageSolution| {

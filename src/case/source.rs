@@ -151,7 +151,6 @@ impl<'t> Source<'t> {
         self.locate(&self.whole(path)).1
     }
 
-    /// Span of the deepest written part of a path, and whether the whole path was written.
     fn locate(&self, path: &str) -> (Range<usize>, bool) {
         let (mut span, mut here) = (0..0, &self.root);
         for segment in path.split('.') {
@@ -176,7 +175,6 @@ pub(super) fn is_own(text: &str) -> bool {
     count > 1 || tree.get_ref().is_empty() && errors.is_empty()
 }
 
-/// Name, span of the key and value of each entry of a table or array; an array's keys are its values.
 fn entries<'a>(value: &'a DeValue<'a>) -> Vec<(String, Range<usize>, &'a Spanned<DeValue<'a>>)> {
     match value {
         DeValue::Table(all) => all.iter().map(|(key, value)| (key.get_ref().to_string(), key.span(), value)).collect(),

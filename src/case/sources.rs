@@ -34,7 +34,6 @@ pub struct Sheets {
 }
 
 impl Sheets {
-    /// Sheets of a case that names one of the library; `None` if both numbers are of one sheet.
     pub(super) fn new(name: &str, own_hardening: bool, own: &file::Material, known: &file::Material) -> Option<Self> {
         let anisotropy = if own_hardening { known.anisotropy } else { own.anisotropy };
         (own_hardening != own.anisotropy.is_some()).then(|| Self {

@@ -60,7 +60,6 @@ pub fn complained(failed: &[anyhow::Error], code: Code) -> Code {
     failed.first().map_or(code, Code::of)
 }
 
-/// Prints an error with its cause, that of a case with its line and a caret; as JSON with `--json`.
 fn complain(error: &anyhow::Error) {
     warn(match of_case(error) {
         _ if Json::is_requested() => as_json(error).to_string().into(),

@@ -66,7 +66,6 @@ fn keys(args: &Args, file: &Path, place: (&Path, ResultFolder)) -> Result<Code> 
     args.options.present(&fit.report, place, files, &[], json!({ "law": null, "parameters": fit.estimates }))
 }
 
-/// A quantity above 0 of a dimension; a plain number may be 0.
 fn measured(text: &str, dimension: &str, example: &str) -> Result<f64, String> {
     let parsed = parse(text).map_err(|error| error.to_string())?;
     let is_large = parsed.value > 0.0 || dimension == STRAIN && parsed.value == 0.0;

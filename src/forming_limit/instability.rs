@@ -117,7 +117,6 @@ fn diffuse(Proportional { strain: [e1, e2], stress: [s1, s2] }: &Proportional) -
     s1 * e1 * e1 + s2 * e2 * e2
 }
 
-/// Curve where hardening no longer outruns the loss H of a path.
 fn curve(
     name: &'static str, n: Option<f64>, sheet: &Sheet, what: &str, loss: impl Fn(&Proportional) -> f64,
 ) -> Result<Curve, LawError> {

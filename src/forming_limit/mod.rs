@@ -114,7 +114,6 @@ impl Curve {
         Ok(Self { ends: false, points, is_usual: false, name, notes })
     }
 
-    /// Curve that follows from the yield condition of a sheet, which may end it in plane strain.
     fn computed(mut self, sheet: &Sheet) -> Self {
         let criterion = sheet.material.yield_criterion;
         self.ends = overrates_biaxial(criterion);

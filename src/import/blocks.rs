@@ -51,7 +51,6 @@ impl Placement {
     }
 }
 
-/// All places of a reference's array; `None` for a block out of the plane or without extent.
 fn placements(reference: &Entity, base: Point) -> Option<impl Iterator<Item = Placement> + use<>> {
     let [x, y, z] = reference.normal();
     let [across, up] = [41, 42].map(|code| reference.number(code, 1.0));
@@ -71,7 +70,6 @@ fn placements(reference: &Entity, base: Point) -> Option<impl Iterator<Item = Pl
     }))
 }
 
-/// Entities of a drawing with all blocks placed; a reference to a missing block or out of the plane stays.
 pub(super) fn exploded(drawing: &Drawing) -> Result<Vec<Placed<'_>>> {
     let blocks = drawing.blocks.iter().filter(|block| !block.is_external);
     let blocks = blocks.map(|block| (block.name.to_lowercase(), block)).collect();

@@ -141,7 +141,6 @@ fn touching(strokes: &[Chain], tool: ToolId, frame: &Frame) -> Result {
     Ok(())
 }
 
-/// Lines of strokes that meet at corners: open ones from their free ends, then closed ones.
 fn lines(strokes: &[Chain], corners: &[(Point, Vec<End>)]) -> Vec<Chain> {
     let (mut done, mut lines) = (vec![false; strokes.len()], Vec::new());
     let free = corners.iter().filter(|(_, ends)| ends.len() == 1).map(|(_, ends)| (ends[0], false));

@@ -77,7 +77,6 @@ pub(super) struct Vertex {
     pub flags: i64,
 }
 
-/// Entity with the numbers of its groups; each VERTEX of a POLYLINE follows after the code [`VERTEX`].
 #[derive(Debug)]
 pub(super) struct Entity {
     pub source: Source,
@@ -154,7 +153,6 @@ impl Entity {
     }
 }
 
-/// Text of the file: UTF-8, or the Windows code page of older files.
 pub(super) fn decode(bytes: &[u8]) -> Result<Cow<'_, str>> {
     let what = || format!("the file is larger than {} MB", LARGEST / 1_000_000);
     ensure(bytes.len() <= LARGEST, || ImportError::new(what(), "save the tools' layers only"))?;

@@ -22,7 +22,6 @@ impl DrawingUnit {
     }
 }
 
-/// Unit and axis, which turn a drawing's coordinates into a section's, and notes of how the drawing is understood.
 #[derive(Clone)]
 pub(super) struct Frame {
     pub unit: DrawingUnit,

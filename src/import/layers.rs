@@ -23,7 +23,6 @@ impl fmt::Display for ToolId {
 
 pub(super) type Layers = BTreeMap<String, ToolId>;
 
-/// Tools by layer, those of `--layer`, then those by name; all layers in words; and the names of those left out.
 pub(super) fn layers(entities: &[Placed], options: &Options, frame: &Frame) -> Result<(Layers, String, Vec<String>)> {
     let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
     for Placed { source, .. } in entities.iter().filter(|entity| !entity.source.on_paper) {

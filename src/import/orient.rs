@@ -63,7 +63,6 @@ pub(super) fn heading(chains: &[(ToolId, Chain)], option: Option<Heading>, frame
     Ok(heading)
 }
 
-/// Section of a tool: z along the punch travel, the sheet on its left.
 pub(super) fn section(tool: ToolId, chain: Chain, heading: Heading, frame: &Frame) -> Result<Section> {
     let chain = if is_outline(&chain) { sheet_side(tool, chain, heading, frame)? } else { chain };
     let outward = outward(tool, chain, heading, frame)?;
@@ -100,7 +99,6 @@ pub(super) fn section(tool: ToolId, chain: Chain, heading: Heading, frame: &Fram
     Ok(Section { role: tool.role, profile, ends: firsts.chain([chain.last()]).map(turned).collect(), made_of })
 }
 
-/// Chain from the axis outward; with both ends equally far, the one nearer to the sheet is the inner end.
 fn outward(tool: ToolId, chain: Chain, heading: Heading, frame: &Frame) -> Result<Chain> {
     let (a, b) = (chain.first(), chain.last());
     if (b.x - a.x).abs() > frame.join {

@@ -16,7 +16,6 @@ const DEGREE: usize = 25;
 /// Largest distance of coinciding points \[mm\].
 const COINCIDENT: f64 = 1e-9;
 
-/// Curve with homogeneous control points (w x, w y, w).
 struct Curve {
     degree: usize,
     knots: Vec<f64>,

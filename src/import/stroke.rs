@@ -59,7 +59,6 @@ pub(super) fn strokes(entities: &[Placed], layers: &Layers, tool: ToolId, frame:
     Ok(strokes)
 }
 
-/// Box around an operation's layers of these names as `export` draws them, without those that `--layer` names.
 pub(super) fn bounds(
     names: &[&str], operation: Option<u32>, entities: &[Placed], options: &Options, frame: &Frame,
 ) -> Option<Bounds> {

@@ -164,6 +164,9 @@ fn bands_of_nodes(stage: &StageSolution, last: &Frame) -> Option<Vec<Named>> {
             name.0 = of_piece(stage.model.geometry, die, die.profile.closest(at).piece, at);
         }
     }
+    if stage.model.blank.is_open() {
+        names.iter_mut().filter(|name| name.0 == Band::Dome).for_each(|name| name.0 = Band::Wall);
+    }
     Some(names)
 }
 

@@ -20,7 +20,6 @@ const LEAST: f64 = 4.0;
 /// Share of the whole height by which the sheet leaves the level of its middle for good \[–\]: an embossed bottom does not.
 const DEPARTED: f64 = 0.25;
 
-/// Mid-surface from the axis outward, mirrored so that its first wall descends.
 pub(super) struct Meridian {
     pub(super) points: Vec<Point>,
     /// −1 if mirrored.
@@ -43,7 +42,6 @@ struct Bend {
     curvature: f64,
 }
 
-/// Stretch between two bends, or a bend and the free edge.
 #[derive(Clone)]
 pub(super) struct Stretch {
     /// Lengths from the axis to its ends \[mm\].

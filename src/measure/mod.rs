@@ -145,6 +145,13 @@ impl Shape {
     }
 }
 
+/// Diameter of the edge outside, over its wall \[mm\].
+pub fn end_diameter(frame: &Frame) -> Option<f64> {
+    let [.., before, edge] = &frame.nodes[..] else { return None };
+    let upright = (edge.z - before.z) / (edge.z - before.z).hypot(edge.r - before.r);
+    Some(2.0 * edge.r + edge.thickness * upright.abs())
+}
+
 /// Outside height of a part along the punch travel \[mm\]: from the bottom's outer face to the flange's, or to the rim's edge.
 pub fn part_height(frame: &Frame) -> Option<f64> {
     let nodes = &frame.nodes;

@@ -55,7 +55,6 @@ pub fn operation_in(text: &str) -> Option<u32> {
     starts.flat_map(|(i, _)| OPERATIONS.map(|word| (i, word))).find_map(number)
 }
 
-/// Words of a text in small letters without accents; a capital after a small letter begins another.
 fn letters(text: &str) -> Vec<String> {
     let mut words = vec![String::new()];
     let mut after_small = false;

@@ -14,7 +14,6 @@ const SHORTEST: f64 = 2.0;
 const WIDTH: f64 = 680.0;
 const LOAD_HEIGHT: f64 = 130.0;
 
-/// `shapes.gif`; each picture lasts as long as its frame, so that the tools move evenly.
 pub(crate) fn files(view: &StageView, frames: &[&Frame]) -> Vec<(String, Vec<u8>)> {
     let pictures = frames.iter().map(|frame| svg::svg(&picture(view, frames, frame)));
     let done: Vec<f64> = frames.iter().map(|frame| view.model().progress(frame.time)).collect();

@@ -52,7 +52,6 @@ impl Layer {
         [Self { label, ..faces }, Self::polyline(format!("{prefix}MIDLINE"), (9, "#909090"), middle)]
     }
 
-    /// Line of a cut through a sheet, its thickness along the line, and its text.
     pub(crate) fn cut(name: String, at: Point, thickness: Point, text: String) -> Self {
         let [from, to] = [-ACROSS, ACROSS].map(|reach| at + reach * thickness);
         let line = Self::of_pieces(name, (6, "#c000c0"), vec![Piece::line(from, to)]);
@@ -66,12 +65,10 @@ pub(crate) fn extent(layers: &[Layer]) -> (Point, Point) {
     Bounds::around(all.copied()).map_or((Point::zeros(), Point::zeros()), |around| (around.low, around.high))
 }
 
-/// Coordinate without binary noise: at most 12 decimals.
 pub(crate) fn coordinate(value: f64) -> String {
     trimmed(value, 12)
 }
 
-/// SVG of layers, sizes in mm.
 pub(crate) fn true_size_svg(layers: &[Layer]) -> String {
     let (low, high) = extent(layers);
     let margin = MARGIN * (high - low).max();

@@ -2,13 +2,14 @@
 
 use super::*;
 use crate::measure;
+use crate::model::Edge;
 use crate::plot::axis::capitalised;
 use crate::plot::fields::step::{
     EDGE_FORCE, HOLDER_FORCE, PAD_FORCE, POLE_HEIGHT, PRESSURE, PUNCH_FORCE, TIME, TRAVEL,
 };
 
-/// Largest press rating that is drawn, over the largest force: a larger one would flatten the curve.
 const NEAR: f64 = 2.0;
+const FEED_FORCE: &str = "Feed force";
 const RATING: Style = Style::Line { color: BLACK, width: 1.4, dash: &[7.0, 3.0, 1.5, 3.0] };
 
 pub(crate) fn plot(view: &StageView) -> Option<Chart> {
@@ -44,11 +45,11 @@ pub(crate) fn plot(view: &StageView) -> Option<Chart> {
     Some(view.chart(if view.is_by_gas() { "pressure" } else { "forces" }, vec![panel], notes))
 }
 
-/// Forces of the tools over travel or time, or gas pressure over height, a point a step; `None` during release.
 pub(super) fn panel(view: &StageView, height: f64) -> Option<Panel> {
     let (extent, steps) = (view.extent(), &view.stage.steps);
     steps.first().filter(|_| view.model().release.is_none())?;
     let model = view.model();
+    let is_fed = model.blank.edge == Edge::Fed && model.tool(Role::Punch).is_none();
     let (over, y, fields) = if view.is_by_gas() {
         (POLE_HEIGHT, PRESSURE.axis(extent), vec![PRESSURE])
     } else {
@@ -56,17 +57,19 @@ pub(super) fn panel(view: &StageView, height: f64) -> Option<Panel> {
         let punch = [PUNCH_FORCE].into_iter().filter(|force| model.worker().further().is_none() || acts(force));
         let fields: Vec<_> = punch.chain([HOLDER_FORCE, PAD_FORCE, EDGE_FORCE].into_iter().filter(acts)).collect();
         let several = fields.len() > 1 || !model.further.is_empty();
-        let y = if several { Axis::named("Force", extent.force_unit()) } else { PUNCH_FORCE.axis(extent) };
+        let own = if is_fed { Axis::named(FEED_FORCE, extent.force_unit()) } else { PUNCH_FORCE.axis(extent) };
+        let y = if several { Axis::named("Force", extent.force_unit()) } else { own };
         (if model.travel > 0.0 { TRAVEL } else { TIME }, y, fields)
     };
     let curve = |(i, field): (usize, &Field<StepRecord>)| {
-        Series::new(field.label(extent), over.against(field, steps), Style::curve(i))
+        let label = if is_fed && field.key == PUNCH_FORCE.key { FEED_FORCE } else { field.label(extent) };
+        Series::new(label, over.against(field, steps), Style::curve(i))
     };
     let further = view.stage.further_forces().enumerate().map(|(i, (name, forces))| {
         let points = steps.iter().map(over.value).zip(forces).collect();
         Series::new(format!("{} force", capitalised(name)), points, Style::curve(fields.len() + i))
     });
-    let travel = format!("{} travel", capitalised(model.name_of(model.worker())));
+    let travel = if is_fed { "Feed".into() } else { format!("{} travel", capitalised(model.name_of(model.worker()))) };
     let x = if over.key == TRAVEL.key { Axis::named(travel, Unit::Mm) } else { over.axis(extent) };
     Some(Panel::fit(x, y, height, 0.0).with(further).with(fields.iter().enumerate().map(curve)))
 }

@@ -30,7 +30,6 @@ fn pixels(svg: &str, width: f64) -> Pixmap {
     pixmap
 }
 
-/// PNG file `width` pixels wide, which states its pixels per inch if given.
 pub(super) fn png(svg: &str, width: f64, dpi: Option<f64>) -> Vec<u8> {
     let pixmap = pixels(svg, width);
     let rgb: Vec<u8> = pixmap.data().chunks_exact(4).flat_map(|rgba| [rgba[0], rgba[1], rgba[2]]).collect();
@@ -48,7 +47,6 @@ pub(super) fn png(svg: &str, width: f64, dpi: Option<f64>) -> Vec<u8> {
     bytes
 }
 
-/// Animated GIF of pictures of equal size, each shown for so many hundredths of a second, endlessly repeated.
 pub(super) fn gif(pictures: impl IntoIterator<Item = String>, hundredths: &[u16]) -> Vec<u8> {
     let mut pictures = pictures.into_iter().map(|svg| pixels(&svg, GIF_WIDTH)).peekable();
     let (width, height) = pictures.peek().map_or((1, 1), |first| (first.width() as u16, first.height() as u16));

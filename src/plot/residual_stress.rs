@@ -11,7 +11,6 @@ const LEAST: f64 = 1.0;
 const HEIGHT: f64 = 300.0;
 pub(crate) const PLACE: &str = "ζ/t, from the die's face (−0.5) to the punch's (0.5)";
 
-/// Frame after release and its elements with thickness points; `None` without a release.
 pub(crate) fn released<'a>(view: &StageView<'a>) -> Option<(&'a Frame, &'a [ElementRecord])> {
     let [_, frame] = view.stage.released()?;
     Some((frame, &frame.elements[..frame.through.elements().len().min(frame.elements.len())]))

@@ -44,7 +44,6 @@ pub(crate) fn tools(model: &Model, at: Option<&Frame>, width: f64) -> impl Itera
     })
 }
 
-/// Outline and its mirror image about the axis; one outline if it has an edge there.
 pub(super) fn mirrored(mut outline: Vec<(f64, f64)>) -> Vec<Vec<(f64, f64)>> {
     let n = outline.len();
     let in_the_middle = |i: usize| on_axis(&Point::new(outline[i % n].0, 0.0));
@@ -69,7 +68,6 @@ pub(crate) fn outline(profile: &Profile, moved: Point, sagitta: f64) -> Vec<(f64
     points.map(|p| (p.x + moved.x, p.y + moved.y)).collect()
 }
 
-/// Moved profile closed through the tool's body, which extends away from the sheet.
 pub(crate) fn body(role: Role, profile: &Profile, moved: Point, sagitta: f64) -> Vec<(f64, f64)> {
     let mut outline = outline(profile, moved, sagitta);
     let (first, last) = (outline[0], outline[outline.len() - 1]);
@@ -92,7 +90,6 @@ pub(crate) fn flat(model: &Model) -> Vec<(f64, f64)> {
     along(half).chain(along(-half).rev()).collect()
 }
 
-/// Outline of some elements of the sheet, drawn `times` as thick as they are.
 pub(crate) fn sheet(frame: &Frame, elements: Range<usize>, times: f64) -> Vec<(f64, f64)> {
     let part = elements.start..(elements.end + 1).min(frame.nodes.len());
     part.clone().map(|i| surface(frame, i, times)).chain(part.rev().map(|i| surface(frame, i, -times))).collect()

@@ -77,7 +77,6 @@ impl Default for Pictures {
 }
 
 impl Format {
-    /// File name without the extension of a picture; `None` if it has none.
     pub(crate) fn stem(name: &str) -> Option<&str> {
         name.strip_suffix(".svg").or_else(|| name.strip_suffix(".png"))
     }

@@ -88,7 +88,6 @@ impl<'a> StageView<'a> {
         self.bars.iter().filter(|_| is_computed && amount.value != 0.0).find(is_same)?.bar
     }
 
-    /// True if gas alone drives the stage.
     pub(crate) fn is_by_gas(&self) -> bool {
         self.model().travel == 0.0 && !self.model().gas.is_empty()
     }
@@ -111,14 +110,12 @@ impl<'a> StageView<'a> {
         self.assessment.get_or_init(assessed).as_ref()
     }
 
-    /// Chart titled `Cup: sections`, or `Sections` if the case's title stands above; notes end in those of [`Self::notes`].
     pub(crate) fn chart(&self, of: &str, panels: Vec<Panel>, notes: impl IntoIterator<Item: Into<String>>) -> Chart {
         let is_own = self.pictures.captions == Captions::Own;
         let title = if is_own { capitalised(of) } else { format!("{}: {of}", self.model().title) };
         Chart::new(title, panels, notes.into_iter().map(Into::into).chain(self.notes()).collect())
     }
 
-    /// Notes of every picture: an early stop; with full captions also settings, warnings and assumptions.
     pub(crate) fn notes(&self) -> Vec<String> {
         let stop = &self.stage.stop;
         let mut notes = Vec::new();
@@ -140,12 +137,10 @@ impl<'a> StageView<'a> {
         (kept > COLORS).then(|| format!("{COLORS} of {kept} kept frames are shown; profile.csv has all."))
     }
 
-    /// Frames in pictures: all, or as many as there are colours, spread evenly up to the last.
     pub(super) fn shown_frames(&self) -> Vec<&'a Frame> {
         spread(&self.stage.frames, COLORS)
     }
 
-    /// True if release left the values as the flat blank has them, on an axis of the least span `least`.
     pub(super) fn is_level(&self, flat: f64, values: impl Iterator<Item = f64>, least: f64) -> bool {
         let (low, high) = values.fold((flat, flat), |(low, high), v| (low.min(v), high.max(v)));
         self.model().release.is_some() && high - low < LEVEL * least
@@ -156,7 +151,6 @@ impl<'a> StageView<'a> {
         if model.travel > 0.0 { format!("{} {what}", model.name_of(model.worker())) } else { what.to_owned() }
     }
 
-    /// Progress at a frame, with at most two decimals, more below 1.
     pub(super) fn progress_at(&self, frame: &Frame) -> Amount {
         let (value, unit) = self.progress_value(frame);
         Amount::new(value, unit, Digits::Given((2.0 - value.log10().floor().clamp(-12.0, 0.0)) as usize))

@@ -233,7 +233,6 @@ fn four_digits(value: f64) -> String {
     Amount::number(value).to(Digits::Significant(4)).to_string()
 }
 
-/// Index of the largest value; `None` if it is the last, which may rise further.
 fn peak(values: &[f64]) -> Option<usize> {
     let at = (0..values.len()).max_by(|a, b| values[*a].total_cmp(&values[*b]))?;
     (at + 1 < values.len()).then_some(at)

@@ -8,7 +8,6 @@ pub fn csv(table: &Table) -> Vec<u8> {
     csv_with_texts(table, &[])
 }
 
-/// Writes a table with columns of text, each a header and its entries, after the first column of numbers.
 pub(super) fn csv_with_texts(table: &Table, texts: &[(&str, Vec<String>)]) -> Vec<u8> {
     let cells = |c: &Column| std::iter::once(c.header()).chain(c.values.iter().map(|v| number(*v))).collect();
     let mut columns: Vec<Vec<String>> = table.columns.iter().map(cells).collect();

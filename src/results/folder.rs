@@ -106,7 +106,6 @@ impl ResultFolder {
         self.replace_each()
     }
 
-    /// Moves the files in one by one and removes those of the earlier set that the new one has not.
     fn replace_each(&self) -> io::Result<()> {
         let is_stale = |name: &PathBuf| (self.is_ours)(&self.path, name) && !self.written.contains(name);
         let stale: Vec<_> = entries(&self.path)?.into_iter().filter(is_stale).collect();
@@ -150,7 +149,6 @@ fn part_and_lock(folder: &Path) -> io::Result<(PathBuf, Lock)> {
     Ok((hidden(folder, "part")?, Lock::take(&hidden(folder, "lock")?)?))
 }
 
-/// Paths of files, links and empty folders below a folder; of more than [`MOST_CARRIED`] those of its two upper levels.
 fn entries(folder: &Path) -> io::Result<Vec<PathBuf>> {
     fn add(folder: &Path, inside: &Path, found: &mut Vec<PathBuf>) -> io::Result<()> {
         for entry in fs::read_dir(folder.join(inside))? {

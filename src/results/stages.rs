@@ -31,7 +31,6 @@ fn edge(stage: &StageSolution, last: &StepRecord) -> f64 {
     stage.model.blank.edge_radius() - last.draw_in
 }
 
-/// Makes [`FILE`] of a case with several stages: the state at the end of each, empty for those that were not run.
 pub(super) fn files(results: &Results) -> Files {
     let lines = lines(results.solution);
     if lines.is_empty() {

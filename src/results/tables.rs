@@ -108,7 +108,6 @@ pub fn load_travel(stage: &StageSolution) -> Table {
     Table::new(columns)
 }
 
-/// Crank angle before the bottom dead centre and permitted force at every step, of a press whose drive is given.
 pub(super) fn press(view: &StageView) -> Vec<Column> {
     let press = view.case.filter(|_| view.model().release.is_none()).map(|case| &case.press);
     let Some((press, drive)) = press.and_then(|press| Some((press, press.drive.as_ref()?))) else { return Vec::new() };
@@ -152,7 +151,6 @@ pub fn profile(model: &Model, frames: &[Frame]) -> Table {
     Table::new(std::iter::once(TRAVEL.filled(model.extent(), travel)).chain(columns).collect())
 }
 
-/// Stress after release: one row per element and layer, from the axis outward and from the die's face to the punch's.
 pub(super) fn residual_stress(view: &StageView) -> Option<Table> {
     let (frame, elements) = released(view)?;
     let (extent, layers) = (view.extent(), &frame.through.layers);
@@ -211,7 +209,6 @@ pub(super) fn forming_limit(curve: &Curve) -> Table {
 /// Most instants of a path in its table, apart from the end; declared: twice the steps of a run by default.
 const INSTANTS: usize = 200;
 
-/// Strains and distance to the limit: one row per element and instant; the crookedness is that of the whole path.
 pub(super) fn strain_paths(view: &StageView) -> Option<Table> {
     let (assessment, curve) = (view.forming_limit()?, view.model().forming_limit.as_ref()?);
     let (paths, extent) = (view.stage.paths.thinned(INSTANTS), view.extent());

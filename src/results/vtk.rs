@@ -22,7 +22,6 @@ pub(super) fn is_ours(name: &str) -> bool {
     name == COLLECTION || number.is_some_and(|n| n.len() >= 4 && n.bytes().all(|b| b.is_ascii_digit()))
 }
 
-/// One file for every second frame, the first and the last, and [`COLLECTION`].
 pub(super) fn files(view: &StageView, frames: &[&Frame]) -> Files {
     let (last, model) = (frames.len().saturating_sub(1), view.model());
     let (mut files, mut sets) = (Vec::new(), String::new());

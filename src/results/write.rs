@@ -64,7 +64,6 @@ pub fn comparison_folder(dir: &Path) -> Result<ResultFolder, WriteError> {
     ResultFolder::open(dir, |_, path| path.to_str().is_some_and(comparison::is_comparison))
 }
 
-/// Refuses files with names of results in a folder without a summary or a list of stages of a run.
 fn refuse_others(dir: &Path) -> Result<(), WriteError> {
     let holds = |file: &str, what: &str| fs::read_to_string(dir.join(file)).is_ok_and(|text| text.contains(what));
     let is_of_a_run = holds("summary.json", concat!("\"program\": \"", env!("CARGO_PKG_NAME")))

@@ -12,7 +12,6 @@
 use super::*;
 use std::f64::consts::TAU;
 
-/// Advances the temperatures of `state` by the plastic work of each element; `None` at constant temperature.
 pub(super) fn advance(converged: &Converged, plastic: &[f64], state: &mut State) -> Option<Heat> {
     let Converged { step, evaluation, .. } = converged;
     let (model, n, dt) = (step.model, plastic.len(), step.dt);

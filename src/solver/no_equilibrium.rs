@@ -135,10 +135,13 @@ fn burst(step: &Step, evaluation: &Evaluation, steps: &[StepRecord]) -> Option<S
     let place_runs = dt * speed(fastest) > RUNAWAY * rise.max(share) * (r - s0).hypot(z);
     let sheet_runs = last.work.external - before.work.external > RUNAWAY * share * last.work.external;
     (place_runs || sheet_runs).then(|| {
-        let (pressure, [place, height]) = (Amount::stress(last.pressure.abs()), [s0, z].map(Amount::place));
+        let (pressure, [place, r, height]) = (Amount::stress(last.pressure.abs()), [s0, r, z].map(Amount::place));
+        let at = match model.blank.is_open() {
+            true => format!("the tube has a radius of {r}, {place} along it"),
+            false => format!("the sheet at s0 = {place} is at a height of {height}"),
+        };
         let text = format!(
-            "pressure maximum reached: no equilibrium beyond {pressure}, where the sheet at s0 = {place} is at a height of \
-             {height}; it would run away there, to burst or to fold"
+            "pressure maximum reached: no equilibrium beyond {pressure}, where {at}; it would run away there, to burst or to fold"
         );
         Stop::at(StopKind::PressureMaximum, s0, text)
     })

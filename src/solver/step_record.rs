@@ -3,7 +3,6 @@
 use super::restraints::Seal;
 use super::*;
 
-/// Record of a step to the state `next` after the rejected tries before it, without work; `before` is the last evaluation.
 pub(super) fn record(converged: &Converged, before: &Evaluation, next: &State, rejected: usize) -> StepRecord {
     let Converged { step, trial, evaluation, outcome, .. } = converged;
     let (model, times) = (step.model, step.model.extent().times());

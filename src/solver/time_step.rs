@@ -117,7 +117,6 @@ const IN_A_STRETCH: usize = 500;
 const PLANNED: usize = 5;
 const SPARE: usize = 5000;
 
-/// Limit on the tries of a run, so that one that creeps ends.
 pub(super) struct Budget {
     pub tries: usize,
     /// Progress at the start of the last stretch \[–\], and the tries before it.

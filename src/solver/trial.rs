@@ -23,7 +23,6 @@ pub(super) struct ContactMemory {
     pub round_gap: f64,
 }
 
-/// Unknowns at the end of a step, and memory between iterations; allocated once for a run.
 pub(super) struct Trial {
     /// Moves of the nodes in the step \[mm, rad\].
     pub moves: Vec<Node>,

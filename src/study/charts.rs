@@ -66,7 +66,6 @@ fn markers(points: &[((f64, f64), &Run)]) -> Vec<Series> {
     modes.map(dots).chain([amber]).filter(|series| !series.points.is_empty()).collect()
 }
 
-/// Numbers of known runs over a variable, each with its limit and one circled run; labelled trials are not joined.
 pub(super) fn trends(
     runs: &RunTable, x: &Axis, mut positions: Vec<(f64, &Run)>, numbers: Vec<(usize, Option<f64>)>,
     circled: Option<(f64, &Run)>, label: Option<&str>,

@@ -22,7 +22,6 @@ pub fn judge(solution: &Solution, bars: Option<&ErrorBars>, advice: bool, watch:
     (answer, findings)
 }
 
-/// Whether a run says something of the part: it was not ended by the numerics or by the user.
 pub(super) fn is_known(solution: &Solution) -> bool {
     !FailureMode::all(&solution.stages, &[]).contains(&FailureMode::NoResult)
 }

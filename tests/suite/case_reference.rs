@@ -72,7 +72,6 @@ fn what_is_said_to_be_needed_is() {
     }
 }
 
-/// Page in the making, from the JSON schema of case files.
 struct Reference<'a> {
     schema: &'a Value,
     text: String,
@@ -80,7 +79,6 @@ struct Reference<'a> {
     paths: BTreeMap<&'a str, String>,
 }
 
-/// Tables still to be described: path and schema.
 type Inner<'a> = Vec<(String, &'a Value)>;
 
 impl<'a> Reference<'a> {
@@ -168,7 +166,6 @@ fn list(value: &Value) -> impl Iterator<Item = &Value> {
     value.as_array().into_iter().flatten()
 }
 
-/// The variants of a value; alternatives of required keys are none.
 fn alternatives(value: &Value) -> impl Iterator<Item = &Value> {
     let all = list(&value["anyOf"]).chain(list(&value["oneOf"]));
     all.filter(|form| form["type"] != "null" && (form["required"].is_null() || form["properties"].is_object()))

@@ -192,7 +192,6 @@ fn broken_sheets_are_not_measured() {
     }
 }
 
-/// One element with a stress over ξ.
 fn section(layers: usize, stress: impl Fn(f64) -> f64) -> Frame {
     let layers = lobatto(layers);
     let point = |xi| PointRecord { stress_meridional: stress(xi), ..PointRecord::default() };

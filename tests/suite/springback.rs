@@ -44,7 +44,6 @@ fn the_tolerance_lights_the_spring_back() {
     assert!(found.light == Light::Red && found.limit.to_string().ends_with("± 0.5 mm"), "{found:?}");
 }
 
-/// A hat by the template, elastic too, and let go, with other values in its case.
 fn hat(elements: usize, overrides: &[&str]) -> Solution {
     let text = made("hat-section", &[], &[]).text;
     let elastic = "[material]\nmode = \"elasto_viscoplastic\"\nyoung = \"206 GPa\"\npoisson = 0.3\n";

@@ -6,15 +6,12 @@ const DATA: &str = include_str!("../../reference_data/surfalex_aa6016_flc_points
 const SHEET: &str = "aa6016a-surfalex";
 /// Exponent of fcc metal \[–\].
 const FCC: f64 = 8.0;
-/// When the sheet counts as necked: that of the groove itself.
 const CRITERION: &str = "necking_strain_rate_ratio_10";
-/// The widths that the imperfection is fitted at, in the order of the data.
 const MIDDLE: [usize; 2] = [2, 3];
 /// Grooves that are tried \[–\], and halvings of the interval between their logarithms of 1 − f₀.
 const GROOVES: [f64; 2] = [0.93, 0.9995];
 const HALVINGS: usize = 12;
 
-/// A width of specimen: its name, and its points.
 struct Width {
     name: String,
     points: Vec<[f64; 2]>,
@@ -33,7 +30,6 @@ impl Width {
     }
 }
 
-/// The widths, from the narrowest to the full circle.
 fn measured() -> Vec<Width> {
     let mut widths: Vec<Width> = Vec::new();
     for line in DATA.lines().filter(|line| !line.starts_with('#')).skip(1) {

@@ -24,7 +24,6 @@ const TOOLS: [&str; 5] = [
 /// Draw ratios nearer to each other are not told apart: it is more than the last interval of the bisection.
 const RESOLVED: f64 = 1e-3;
 
-/// The largest draw ratio that a cup of the quickstart's steel reaches.
 fn limit(set: &[&str]) -> f64 {
     let drawn = |ratio: f64| {
         let blank = format!("blank.radius={} mm", ratio * PUNCH);
@@ -41,7 +40,6 @@ fn limit(set: &[&str]) -> f64 {
     0.5 * (low + high)
 }
 
-/// Of the same cup with each of these values of a key.
 fn limits(key: &str, values: &[&str], rest: &[&str]) -> Vec<f64> {
     values.iter().map(|value| limit(&[&[format!("{key}={value}").as_str()], rest].concat())).collect()
 }

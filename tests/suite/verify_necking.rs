@@ -47,7 +47,6 @@ fn bar(m: f64) -> Model {
     model
 }
 
-/// Strain in the neck, which is the element at the symmetry plane, and outside it, at every kept instant.
 fn pulled(m: f64, model: &Model) -> Vec<(f64, f64)> {
     let mut state = State::initial(model, mesh::nodes(model));
     state.thickness[0] *= 1.0 - IMPERFECTION;

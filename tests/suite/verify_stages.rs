@@ -14,7 +14,6 @@ fn stage(name: &str, model: Model) -> Stage {
     Stage { name: name.into(), model, begin: Beginning::default() }
 }
 
-/// The same tools, of which only `role` moves, by `axial` and `aside` [mm].
 fn moving(model: &Model, role: Role, axial: f64, aside: f64) -> Model {
     let mut model = model.clone();
     for tool in &mut model.tools {

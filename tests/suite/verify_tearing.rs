@@ -27,7 +27,6 @@ fn the_index_of_a_wide_strip_is_one_at_its_load_maximum() {
     }
 }
 
-/// Largest tearing index, and its light.
 fn judged(case: &Case) -> (f64, Light) {
     let stages = solve(&case.stages, &mut ());
     let found = assess::after(case, &stages);

@@ -6,7 +6,6 @@ use crate::common::prelude::*;
 const R: f64 = 50.0;
 const T: f64 = 0.5;
 
-/// Tube of this length whose far end is guided; nothing acts on it yet.
 fn tube(length: f64, elements: usize, hardening: Hardening) -> Model {
     let mut model = simple::pulled(Geometry::Axisymmetric, Theory::Bending, 1.0);
     let line = Piece::line(Point::new(R, 0.0), Point::new(R, -length));
@@ -16,7 +15,6 @@ fn tube(length: f64, elements: usize, hardening: Hardening) -> Model {
     model
 }
 
-/// Tube between two plates, under pressure inside.
 fn pressed(hardening: Hardening, pressure: Pressure) -> Model {
     let mut model = tube(20.0, 6, hardening);
     model.blank.edge = Edge::Guided;

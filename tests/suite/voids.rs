@@ -3,7 +3,6 @@
 use crate::common::prelude::*;
 use stampflow::material::{PointLaw, flow::Iterate, gtn::Evolution};
 
-/// Of strain or stress: s, θ and shear.
 type Triple = [f64; 3];
 
 fn points() -> Vec<Triple> {
@@ -37,7 +36,6 @@ fn at(law: &FlowLaw, porosity: f64, e: Triple) -> StressUpdate {
     law.respond(&PointState { porosity, ..PointState::at(0.05) }, &mut Iterate::default(), e, [0.0; 2]).0
 }
 
-/// C by rows.
 fn tangent(law: &FlowLaw, iterate: &mut Iterate, porosity: f64, e: Triple) -> [Triple; 3] {
     law.respond(&PointState { porosity, ..PointState::at(0.05) }, iterate, e, [0.0; 2]).1.rows()
 }

@@ -46,7 +46,6 @@ fn columns(path: &Path) -> BTreeMap<String, Vec<f64>> {
     headers.iter().enumerate().map(|(i, name)| (name.to_string(), rows.iter().map(|row| row[i]).collect())).collect()
 }
 
-/// Times and files of a collection.
 fn collection(path: &Path) -> Vec<(f64, String)> {
     let text = fs::read_to_string(path).unwrap();
     let file = Document::parse(&text).unwrap();

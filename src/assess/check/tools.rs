@@ -131,8 +131,11 @@ fn of_bead(model: &Model, bead: &Bead) -> Line {
 
 fn of_gas(model: &Model, gas: &Gas) -> Line {
     let (within, time) = (Amount::size(gas.within), Amount::time(model.duration));
-    let face = if gas.face == Face::Lower { "lower" } else { "upper" };
-    let place = format!("on the {face} face within {within}, for {time}");
+    let lower = gas.face == Face::Lower;
+    let place = match model.blank.is_open() {
+        true => format!("{} the tube, for {time}", if lower { "inside" } else { "outside" }),
+        false => format!("on the {} face within {within}, for {time}", if lower { "lower" } else { "upper" }),
+    };
     let control = match &gas.pressure {
         Pressure::OverTime(history) => {
             return number("pressure", Amount::given_stress(history.largest()), format!("at most {place}"));

@@ -187,7 +187,6 @@ impl StageContext<'_> {
         Ok(model::Stage { name: self.written.name.clone(), model, begin })
     }
 
-    /// Model before with tools that stand still; holder and beads keep the force that they had at the end.
     fn at_rest(&self) -> Model {
         let StopRules { localised, drawn_through, .. } = self.first.stop;
         let stop = StopRules { localised, drawn_through, ..StopRules::default() };
@@ -275,7 +274,6 @@ impl StageContext<'_> {
         Ok(())
     }
 
-    /// Sets the holder's force, reached over the first part of the travel; one that had none is brought up to the sheet.
     fn press(&self, model: &mut Model, meets: &mut Vec<Role>) -> Result<()> {
         let Some(holder) = &self.written.holder else { return Ok(()) };
         let Some(force) = holder.force_curve(self.before.extent(), self.source)? else { return Ok(()) };

@@ -7,7 +7,6 @@ use super::*;
 
 const MARGIN: f64 = 14.0;
 const GAP: f64 = 10.0;
-/// Width of a legend sample, the space behind it, and the space behind its label.
 const SAMPLE: f64 = 38.0;
 const AFTER_SAMPLE: f64 = 8.0;
 const AFTER_LABEL: f64 = 20.0;
@@ -48,7 +47,6 @@ fn legend(chart: &Chart, page: f64, top: f64, canvas: &Canvas) -> f64 {
     below
 }
 
-/// Panels in a row each, small ones side by side, their y axes in line; gives the lower edge.
 fn panels(panels: &[Panel], width: f64, top: f64, canvas: &Canvas) -> f64 {
     let left = panels.iter().map(y_labels_width).fold(0.0, f64::max);
     let has_axes = panels.iter().any(|panel| panel.is_small && !panel.has_no_axes());

@@ -36,7 +36,6 @@ pub(super) fn blank(canvas: &Canvas, from: (f64, f64), to: (f64, f64)) {
     area(canvas, &[from, (to.0, from.1), to, (from.0, to.1)], WHITE);
 }
 
-/// Pieces of a line cut by a pattern of drawn and left-out lengths; an empty pattern keeps it whole.
 fn dashed(line: &Points, pattern: &[f64]) -> Vec<Vec<(f64, f64)>> {
     if pattern.is_empty() {
         return vec![line.to_vec()];

@@ -22,7 +22,6 @@ pub(super) const LABEL: f64 = 19.0;
 pub(super) const TICK: f64 = 17.0;
 pub(super) const NOTE: f64 = 13.5;
 pub(super) const MARK: f64 = 15.0;
-/// Flags in sections, legible at the width of a column.
 pub(super) const FLAG: f64 = 20.0;
 pub(super) const SPACING: f64 = 1.3;
 /// plotters' SVG backend divides font sizes by this.
@@ -69,7 +68,6 @@ pub(super) fn width(text: &str, size: f64) -> f64 {
     ROOM * size * text.chars().map(advance).sum::<f64>()
 }
 
-/// Lines about as wide as `widest`, broken between words, and within a word that is wider than a line.
 pub(super) fn wrapped(paragraph: &str, size: f64, widest: f64) -> Vec<String> {
     let share = width(paragraph, size) / widest;
     let columns = if share > 1.0 { (DENSER * paragraph.chars().count() as f64 / share) as usize } else { usize::MAX };

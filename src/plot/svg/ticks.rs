@@ -12,7 +12,6 @@ fn ticks(range: (f64, f64), most: usize) -> Vec<f64> {
     RangedCoordf64::from(range.0..range.1).key_points(BoldPoints(most))
 }
 
-/// Logarithms of 1, 2, 5 times powers of ten, or of these alone if more than `most`; round values if fewer than two.
 fn decades((low, high): (f64, f64), most: usize) -> Vec<f64> {
     let powers = low.floor() as i32..=high.ceil() as i32;
     let fine = powers.flat_map(|power| [1.0_f64, 2.0, 5.0].map(|digit| digit.log10() + f64::from(power)));
@@ -46,7 +45,6 @@ impl Ranged for Ticked {
     }
 }
 
-/// Number with as many decimals as its neighbours need, digits in groups of three from 10 000 on.
 fn tick(value: f64, all: &[f64]) -> String {
     let decimals = |v: &f64| format!("{v:.6}").trim_end_matches('0').rsplit_once('.').map_or(0, |(_, tail)| tail.len());
     let text = format!("{:.*}", all.iter().map(decimals).max().unwrap_or(0), value.abs());

@@ -51,7 +51,6 @@ impl Comparison {
         Some(format!("{:.decimals$} {} {side}{percent}", outside.abs(), self.y.unit.symbol()))
     }
 
-    /// Largest difference with the place of a point: `+2.1 % at punch travel = 12.5 mm`.
     fn worst_at(&self) -> Option<String> {
         let x = (1e3 * self.worst_point()?.x).round() / 1e3;
         let unit = if self.x.unit == Unit::None { "" } else { self.x.unit.symbol() };
@@ -210,7 +209,6 @@ fn interval_text(ends: [f64; 2], unit: Unit) -> String {
     if low == high { format!("{low} {unit}") } else { format!("{low} to {high} {unit}") }
 }
 
-/// Table and picture `compare_<n>_<quantity>` of every comparison with data, counted from 1.
 pub(in crate::results) fn files(results: &Results) -> Files {
     let mut files = Vec::new();
     let Some(view) = results.views.first() else { return files };

@@ -90,7 +90,6 @@ impl Summary {
         self.0.iter().filter(|line| !line.label.is_empty())
     }
 
-    /// Text of `summary.json`, with the verdict on the whole case if it was judged.
     pub(super) fn json(view: &StageView) -> Option<String> {
         let mut summary = Self::of(view);
         let verdict = view.verdict.clone().map(Value::Plain);
