@@ -17,7 +17,7 @@ const RADII: [&str; 3] = ["radius", "throat", "inner_radius"];
 pub type Step = (Point, Option<(Point, bool)>);
 
 /// Value as TOML and reason of each placeholder of a template.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub struct Values(BTreeMap<String, (String, String)>);
 
 impl Values {

@@ -201,7 +201,6 @@ fn later_stages(later: &[Operation], tools: &[DrawnTools], pressure: f64, fricti
     later.iter().zip(tools.iter().zip(&tools[1..])).map(stage).collect()
 }
 
-/// Force of the first holder's pressure on the sheet between the die's throat and the part as it comes, and why.
 fn force(before: &DrawnTools, now: &DrawnTools, pressure: f64) -> (String, String) {
     let holder = now.holder.as_ref().map_or((0.0, 0.0), extent);
     let inner = throat(&now.die).unwrap_or(0.0).max(holder.0);

@@ -233,6 +233,24 @@ fn parts_have_their_finished_sizes() {
     }
 }
 
+/// Trust: the diameters that are ordered. A wall that is to go far beyond folds; the closed end bears p π r².
+#[test]
+fn a_tube_has_its_end_or_folds() {
+    let land = [("land", "10 mm")];
+    for (given, wanted) in [(&[][..], 48.0), (&land, 48.0), (&[("end", "16 mm")], 32.0), (&[("end", "28 mm")], 56.0)] {
+        let case = made("tube-end", given, &[]);
+        let end = stampflow::measure::end_diameter(solved(&case)[0].frames.last().unwrap()).unwrap();
+        assert_relative_eq!(end, wanted, max_relative = 0.01);
+    }
+    let case = made("tube-inversion", &[("groove", "3 mm")], &[]);
+    let answer = Answer::of(&case, solved(&case), &assess::after(&case, solved(&case)));
+    assert!(answer.sentence.starts_with("the sheet folds onto itself in the wall"), "{}", answer.sentence);
+    let case = made("tube-bulge", &[], &[]);
+    let thrust = PI * 39.0 * 39.0 * solved(&case)[0].steps.last().unwrap().pressure;
+    let load = row(&assess::after(&case, solved(&case)), "press_force").value().unwrap();
+    assert!(load > thrust && load < thrust + 60e3, "{load} N, of them {thrust} N on the seal");
+}
+
 /// Trust: the holder's position is an unknown that its force is in balance with; what of the force the sheet does not take
 /// is said to go into distance blocks. Steps are in balance to a hundredth. Held twenty times as hard, the sheet rubs on
 /// sleeve and die with at least 2 μ times 19 kN more; half of that is asked for, as the two peaks lie at different travels.

@@ -158,7 +158,6 @@ impl DrawnTools {
         }
     }
 
-    /// Travel as drawn, through the die with what the template adds; else a share of the punch's size that leaves room.
     fn travel_for(&self, blank: f64) -> Picked {
         let (Self { punch, die, .. }, thickness) = (self, self.thickness.value);
         if let Some(travel) = self.drawn {

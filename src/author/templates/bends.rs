@@ -89,7 +89,6 @@ pub(super) fn u_bend(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError
     Ok(sizes)
 }
 
-/// Strip clamped at its ends and bent over a form block, which stretches it by as much as is wanted.
 pub(super) fn stretch_bend(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
     let t = sheet.thickness;
     let [angle, radius] = inputs.values(["angle", "radius"]);

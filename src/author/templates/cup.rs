@@ -13,7 +13,6 @@ const RUNS: usize = 8;
 const MET: f64 = 0.1;
 const NEAR: f64 = 1.0;
 const MOST_GIVEN: usize = 6;
-/// Rule of the blank that runs correct.
 const AREA: &str = "half of D, area of the mid-surface with what is trimmed (Guldin)";
 /// Step of a blank's radius or half-length \[mm\]: it is cut to 0.1 mm.
 pub(super) const BLANK: f64 = 0.05;
@@ -30,7 +29,6 @@ struct Cup<'a> {
     nose: Picked,
 }
 
-/// How runs of a plan end; steep if the corrected blank takes more draws.
 #[derive(PartialEq)]
 enum End {
     Met,

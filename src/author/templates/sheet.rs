@@ -86,7 +86,6 @@ pub(in crate::author) fn elastic(values: &mut Values, metal: &Material) {
     }
 }
 
-/// Mild steel of the options' default law, which yields as ferrite.
 pub(in crate::author) fn mild_steel() -> Material {
     let metal = swift(Inputs::of_sheet().values(LAW)).expect("the law is one");
     Material { yield_criterion: Hosford::new(1.0, Crystal::Bcc.exponent()).into(), ..metal }

@@ -75,7 +75,6 @@ pub(super) fn ensure(fits: bool, what: impl FnOnce() -> String, help: &str) -> R
     if fits { Ok(()) } else { Err(CaseError::bare(what(), help.to_owned())) }
 }
 
-/// Draw ratio of the blank for a part of this height; above a limit an error with the largest height within it.
 pub(super) fn draw_ratio(
     blank_for: impl Fn(f64) -> f64, [least, height]: [f64; 2], punch: f64, (limit, of): (f64, &str), or: &str,
 ) -> Result<f64, CaseError> {
@@ -92,7 +91,6 @@ pub(super) fn draw_ratio(
     ensure(wanted <= limit, what, &help).map(|()| wanted)
 }
 
-/// Ring force as TOML, rounded up.
 pub(super) fn newtons(force: f64) -> String {
     match force >= 1e4 {
         true => format!("\"{} kN\"", trimmed(1e-2 * (0.1 * force).ceil(), 2)),

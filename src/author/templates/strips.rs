@@ -44,7 +44,6 @@ pub(super) fn pad(sizes: &mut Values, inputs: &Inputs, flat: f64) {
     }
 }
 
-/// Box section that is as high, and whose flange is as wide, as was wanted.
 pub(super) fn box_section(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
     let t = sheet.thickness;
     let ([half_width, height], flange) = (inputs.values(["half-width", "height"]), inputs.number("flange"));
@@ -118,7 +117,6 @@ pub(super) fn stepped(
     Ok((steps, radii * angle + straight))
 }
 
-/// Joggle whose step is as deep, and whose strip is as wide, as was wanted after release.
 pub(super) fn joggle(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
     let t = sheet.thickness;
     let [depth, flat] = inputs.values(["depth", "flat"]);
