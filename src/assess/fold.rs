@@ -17,7 +17,7 @@ pub fn folded(frame: &Frame) -> Option<f64> {
     let point = |i: usize| Point::new(nodes[i].r, nodes[i].z);
     let meets = |i: &usize| {
         let (segment, t) = (Piece::line(point(*i), point(i + 1)), nodes[*i].thickness);
-        let is_apart = |j: &usize| (along[*j] - along[*i]).abs() > APART * t;
+        let is_apart = |j: &usize| along[*j] < along[*i] - APART * t || along[*j] > along[i + 1] + APART * t;
         let mut others = (0..nodes.len()).filter(is_apart).map(point);
         others.any(|other| (segment.closest_point(other) - other).norm() < NEAR * t)
     };
