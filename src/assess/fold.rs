@@ -24,7 +24,6 @@ pub fn folded(frame: &Frame) -> Option<f64> {
     (0..frame.elements.len()).find(meets).map(|i| frame.elements[i].s0)
 }
 
-/// Stage and first frame of a fold that is there in the end.
 pub(super) fn first(stages: &[StageSolution]) -> Option<(usize, &Frame)> {
     let (i, stage) = formed(stages).last()?;
     folded(stage.frames.last()?)?;

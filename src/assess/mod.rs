@@ -182,7 +182,6 @@ fn instant(stage: &StageSolution, travel: f64, time: f64) -> String {
     if stage.model.travel > 0.0 { format!("{travel} of travel") } else { time.to_string() }
 }
 
-/// Event of a stage in the step of a peak load: `(rim meets the die)`.
 fn at_event(stage: &StageSolution, peak: &StepRecord) -> String {
     let begins = stage.steps.iter().rev().find(|step| step.step < peak.step).map_or(0.0, |before| before.travel);
     let here = events(stage).into_iter().find(|event| event.travel > begins && event.travel <= peak.travel);

@@ -143,7 +143,6 @@ pub fn tears_at(stage: &StageSolution) -> Option<f64> {
     tear(std::slice::from_ref(stage))?.s0
 }
 
-/// Location by its name on the part, as the last stage with a name has it, and by its measures on the formed sheet.
 pub(super) fn place(stages: &[StageSolution], s0: f64) -> String {
     let named = stages.iter().rev().find(|stage| place_on_part(stage, s0).is_some());
     named.or(stages.last()).map_or_else(String::new, |stage| on_part(stage, s0))

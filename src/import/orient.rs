@@ -120,7 +120,6 @@ fn is_outline(chain: &Chain) -> bool {
     chain.is_closed || chain.first().x == 0.0 && chain.last().x == 0.0
 }
 
-/// Direction of the punch from places: punch and holder are behind the sheet, the die is ahead of it.
 fn by_places(chains: &[(ToolId, Chain)]) -> Option<(Heading, String)> {
     let mut pairs = chains.iter().filter(|(tool, _)| tool.role == Role::Die).flat_map(|(die, of_die)| {
         let others = chains.iter().filter(|(tool, _)| tool.role.side() < 0.0 && tool.operation == die.operation);
@@ -177,7 +176,6 @@ fn area(chain: &Chain) -> f64 {
     points.iter().zip(points.iter().cycle().skip(1)).map(|(a, b)| a.perp(b)).sum()
 }
 
-/// Pieces before and after the point with the largest first measure, and within `join` of it the largest second one.
 fn split(chain: &Chain, by: Measure, join: f64) -> [Vec<(Piece, Rc<Source>)>; 2] {
     let of_piece = |piece: &Piece| [piece.first(), piece.last()].into_iter().chain(piece.poles());
     let points = chain.pieces().enumerate().flat_map(|(i, piece)| of_piece(piece).map(move |p| (i, p)));

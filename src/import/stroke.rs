@@ -170,7 +170,6 @@ impl Pen<'_> {
         self.polyline(&points, &bulges)
     }
 
-    /// Lines and arcs through points; a bulge is that of the arc to the next point.
     fn polyline(&self, points: &[Point], bulges: &[f64]) -> Result<Vec<Piece>> {
         // Repeated points, which CAD programs leave behind, are one.
         let distinct = points.windows(2).zip(bulges).filter(|(pair, _)| (pair[1] - pair[0]).norm() > SHORTEST);

@@ -177,7 +177,6 @@ pub(super) fn spread<T>(items: &[T], most: usize) -> Vec<&T> {
     (1..=most).map(|i| &items[i * items.len() / most - 1]).collect()
 }
 
-/// Reason of a stage's end in a few words: `full time` if it has no travel to reach.
 pub(crate) fn stop_text(stage: &StageSolution) -> &'static str {
     match stage.stop.kind {
         StopKind::FullTravel if stage.model.travel == 0.0 => "full time",

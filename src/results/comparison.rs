@@ -139,7 +139,6 @@ impl<'a> Reference<'a> {
         Err(CompareError(format!("{}{what}", self.spec.reference.display())))
     }
 
-    /// Values of a column in the unit of the computed one, `None` where empty, and the factor to that unit.
     fn column(&self, header: &str, computed: &Column) -> Result<(Vec<Option<f64>>, f64), CompareError> {
         let Some(at) = self.csv.column(header) else {
             return self.refuse(format!(" has no column `{header}`; it has {}", self.csv.names()));
@@ -218,7 +217,6 @@ impl<'a> Reference<'a> {
     }
 }
 
-/// Value between points, held for one interval beyond either end; `None` farther out.
 fn held_at_ends(rising: &[(f64, f64)], x: f64) -> Option<f64> {
     let ([first, second, ..], [.., before, last]) = (rising, rising) else { return None };
     let is_near = first.0 - x <= second.0 - first.0 && x - last.0 <= last.0 - before.0;

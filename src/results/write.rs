@@ -38,7 +38,6 @@ pub fn is_report(path: &Path) -> bool {
     Disk.read(path, LARGEST_REPORT).is_ok_and(marked)
 }
 
-/// Results by their names, in the folder and those of its stages, and reports on them.
 fn belongs_to_run(folder: &Path, path: &Path) -> bool {
     let name = path.file_name().and_then(|name| name.to_str()).unwrap_or_default();
     match path.parent().and_then(Path::to_str) {

@@ -38,7 +38,6 @@ pub fn measured_curve(path: &Path) -> Result<Spec> {
     Ok(Spec { reference: path.to_owned(), data: Some(csv), ..spec })
 }
 
-/// Standard deviation of each point of a curve; `None` if one has none.
 pub(super) fn deviations(curve: &Spec, computed: &Computed) -> Option<Vec<f64>> {
     let csv = curve.data.as_ref()?;
     let unit = |name: &str| csv.column(name).and_then(|i| csv.unit(i).ok()).map(|(unit, _)| unit);

@@ -77,7 +77,6 @@ impl Run {
     }
 }
 
-/// Key of a number; a judged one may have the key of another.
 pub(super) fn response_key(number: &Number) -> String {
     format!("{}{}", number.quantity.key, if number.origin == Origin::Verdict { "_judged" } else { "" })
 }

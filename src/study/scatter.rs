@@ -108,7 +108,6 @@ impl Scatter {
         (events.into_iter().flatten().collect(), spreads.collect())
     }
 
-    /// The variables with a noticeable rank correlation, the largest first: `friction +0.92, strength -0.31`.
     fn influences(&self, correlations: &[Option<f64>]) -> Cell {
         let pairs = self.variables.iter().zip(correlations);
         let mut all: Vec<(&str, f64)> = pairs.filter_map(|(v, c)| Some((v.variable.key.as_str(), (*c)?))).collect();

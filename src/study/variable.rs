@@ -159,7 +159,6 @@ fn has_decimal_comma(list: &str) -> bool {
     is_share || items[1..].iter().any(|item| item.starts_with('0') && digits(item) > 1)
 }
 
-/// Reader of the numbers of one text, which must have one unit.
 pub(super) struct NumberReader<'a> {
     key: &'a str,
     text: &'a str,
@@ -204,7 +203,6 @@ impl<'a> NumberReader<'a> {
     }
 }
 
-/// A finite number, also with a typographic minus.
 pub(super) fn number(text: &str) -> Option<f64> {
     text.replace('−', "-").parse().ok().filter(|x: &f64| x.is_finite())
 }
@@ -218,7 +216,6 @@ pub(super) fn split_number(text: &str) -> Option<(f64, &str)> {
     Some((number(&text[..end])?, text[end..].trim()))
 }
 
-/// A quantity in a unit; `None` in another dimension, or where only one of both has a unit.
 pub(super) fn in_unit(text: &str, unit: &str) -> Option<f64> {
     let (number, own) = split_number(text.trim())?;
     if own == unit {

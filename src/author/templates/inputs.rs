@@ -29,7 +29,6 @@ impl Choice {
         std::iter::once(self.key.as_str()).chain(self.diameter.as_deref())
     }
 
-    /// Reads a value in the solver's unit; 0 for a name.
     fn read(&self, text: &str) -> Result<f64, QuantityError> {
         fn number<Q: Dimensioned + FromStr<Err = QuantityError>>(text: &str) -> Result<f64, QuantityError> {
             text.parse::<Q>().map(Dimensioned::value)

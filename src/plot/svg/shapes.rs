@@ -79,7 +79,6 @@ pub(super) fn draw(canvas: &Canvas, style: Style, points: &Points) {
     }
 }
 
-/// Draws a legend sample; `at` is the middle of its left end, `width` and `half` its width and half its height.
 pub(super) fn sample(canvas: &Canvas, style: Style, (x, y): (f64, f64), (width, half): (f64, f64)) {
     let points = match style {
         Style::Line { .. } => vec![(x, y), (x + width, y)],

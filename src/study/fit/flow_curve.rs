@@ -190,7 +190,6 @@ pub fn flow_curves(
     Ok(curves)
 }
 
-/// Intercept, slope and standard error of the slope of the regression through points.
 pub(super) fn straight_line(points: Vec<[f64; 2]>) -> [f64; 3] {
     let n = points.len() as f64;
     let [x, y] = [points.iter().map(|p| p[0]).sum::<f64>() / n, points.iter().map(|p| p[1]).sum::<f64>() / n];

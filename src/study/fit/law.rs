@@ -53,7 +53,6 @@ impl HardeningKind {
         }
     }
 
-    /// Starting points: linear parameters by regression, for several values of the others.
     fn starts(self, rows: &[Row]) -> Vec<Vec<f64>> {
         let line = |x: &dyn Fn(f64) -> f64, y: fn(f64) -> f64| {
             straight_line(rows.iter().map(|row| [x(row[0].max(0.0)), y(row[1])]).collect())

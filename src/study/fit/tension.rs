@@ -40,7 +40,6 @@ const BACK: f64 = 1e-3;
 /// No sheet strains further before it necks \[–\].
 const LARGEST: f64 = 3.0;
 
-/// Points of a test in its rows, and whether their strains are plastic.
 pub(super) fn rows(csv: &Csv, name: &str, reduction: &Reduction) -> Result<(Vec<FlowPoint>, bool)> {
     let not = [&SCATTER[..], &WIDTH].concat();
     let column = |any: &[&str], none: &[&str], units: &[Unit]| Column::find(csv, name, any, none, units);

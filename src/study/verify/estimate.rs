@@ -13,7 +13,6 @@ const SOLVED: f64 = 10.0;
 const OUT_OF_LINE: f64 = 4.0;
 const MUCH: f64 = 0.05;
 
-/// Error of the first level, each twice as fine as the one before: by Richardson's extrapolation, or the spread.
 fn estimate(direction: Direction, levels: &[f64]) -> Contribution {
     let order = match levels {
         [coarse, fine, finest, ..] => Some(((coarse - fine) / (fine - finest)).log2()).filter(|p| p.is_finite()),
@@ -28,7 +27,6 @@ fn estimate(direction: Direction, levels: &[f64]) -> Contribution {
     Contribution { direction: direction.label(), error, order, extrapolated: believed.is_some(), share: 0.0 }
 }
 
-/// Number with its error bar from all refined runs, solved to a tolerance; places stay without.
 pub(super) fn with_bar(number: &Number, directions: &[(Direction, Vec<&Outcome>)], tolerance: f64) -> Number {
     if number.quantity.error != ErrorBar::NotComputed {
         return number.clone();
