@@ -36,7 +36,6 @@ pub(super) fn sharp_corner(model: &Model, tool: &Tool) -> Option<Finding> {
 fn reaches(model: &Model, tool: &Tool, at: Point) -> bool {
     let within_blank = at.x < model.blank.length;
     match tool.role {
-        // Deeper than the travel it stays below the sheet.
         Role::Punch => {
             let top = tool.profile.extreme(true, model.blank.ends()).map_or(0.0, |top| top.y);
             within_blank && at.y > top - model.travel

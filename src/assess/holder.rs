@@ -43,7 +43,6 @@ pub fn holder_lift(stage: &StageSolution) -> Option<f64> {
     model.tool(Role::Holder).filter(|holder| is_pressed(holder, true) && model.release.is_none())?;
     let width = model.blank.length - held_from(model)?;
     let held = stage.steps.iter().filter(|step| width - step.draw_in > RUN_OUT * model.blank.thickness);
-    // A holder that has closed over a slope is lifted from there.
     let closed = stage.closing.map_or(0.0, |closing| closing.way - closing.gap);
     Some(held.map(|step| closed - step.holder_move).fold(0.0, f64::max))
 }

@@ -126,8 +126,10 @@ pub fn before(case: &Case) -> Vec<Finding> {
 pub fn after(case: &Case, stages: &[StageSolution]) -> Vec<Finding> {
     let run = Run { case, stages, nearest: Nearest::of(stages) };
     let of_stages = stages.iter().enumerate().flat_map(|(i, stage)| of_stage(i, stage));
-    // Known before the run, and wrong with its result.
-    let of_case = [stop::earlier, tools::overlap].into_iter().filter_map(|find| find(case.model()));
+    // Known before the run, and wrong with its result, if a run that ended as wished came so far.
+    let whole = stages.first().filter(|stage| stage.stop.is_complete()).and_then(|stage| stage.steps.last());
+    let is_met = |finding: &Finding| whole.is_none_or(|end| finding.value().is_none_or(|from| from <= end.travel));
+    let of_case = [stop::earlier, tools::overlap].into_iter().filter_map(|find| find(case.model())).filter(is_met);
     let of_case = of_case.map(|finding| Finding { kind: Kind::Judgement, light: Light::Red, ..finding });
     of_case.chain(ON_RUN.iter().filter_map(|find| find(&run))).chain(of_stages).collect()
 }

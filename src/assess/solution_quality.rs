@@ -132,7 +132,6 @@ pub(super) fn mesh(model: &Model) -> Option<Finding> {
 const UPRIGHT: f64 = 0.9994;
 
 pub(super) fn line_end(model: &Model, tool: &Tool) -> Option<Finding> {
-    // Punches go up through the sheet; dies are passed by it on its way up.
     let (behind, whole) = match tool.role {
         Role::Punch => (-1.0, "its nose and its wall"),
         Role::Die => (1.0, "its shoulder and its wall"),

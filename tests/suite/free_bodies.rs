@@ -70,8 +70,7 @@ fn a_further_tool_that_stands_by_mistake_is_named() {
         let case = parsed(&format!("{}\n{tool}\ngap = \"{gap}\"\n", bend.text), &[]);
         let stands = check::report(&case).lines.into_iter().any(|line| line.meaning.contains("above, stands"));
         assert!(stands, "the table says that it stands");
-        let solution = case.clone().solve(&mut ()).stages;
-        assess::sentences(&assess::after(&case, &solution), Kind::Judgement).join("\n")
+        assess::sentences(&assess::after(&case, &case.clone().solve(&mut ()).stages), Kind::Judgement).join("\n")
     };
     let meets = sentences("0 mm");
     assert!(meets.contains("punch and ejector are 90 % of the sheet's thickness apart"), "{meets}");

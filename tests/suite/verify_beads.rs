@@ -101,10 +101,11 @@ fn a_drawn_bead_closes_and_holds_the_strip_back_as_its_line_does() {
     assert!(found.iter().any(|finding| finding.key == "holder" && finding.light == Light::Green));
 
     // By hand, Σ 2/√3 σ t²/(4ρ) over bending and unbending at the radii 3.95, 5 and 3.95 mm, Δε = 2/√3 t/(4ρ) by each.
-    let line = "[[tools.beads]]\nat = \"58 mm\"\nrestraining = \"126.4 N/mm\"";
+    let line = "[[tools.beads]]\nat = \"58 mm\"\nrestraining = \"126.4 N/mm\"\nclosing = \"500 N/mm\"";
     let flat = ["inner_half_width = \"36 mm\"".to_owned(), "throat = \"31.4 mm\", shoulder = \"8 mm\"".to_owned()];
     let (free, _) = strip(&flat, "");
-    let (as_line, _) = strip(&flat, line);
+    let (as_line, found) = strip(&flat, line);
+    assert_relative_eq!(row(&found, "press_force").value().unwrap(), 2000.0 + peak(&as_line[0]), max_relative = 1e-6);
     assert!(free[0].closing.is_none());
     let [bead, line] = [&modelled, &as_line].map(|stages| peak(&stages[0]) - peak(&free[0]));
     assert!(bead > 5.0 * peak(&free[0]) && (bead / line - 1.0).abs() < 0.1, "{bead} {line}");
