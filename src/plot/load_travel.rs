@@ -9,7 +9,7 @@ use crate::plot::fields::step::{
 };
 
 const NEAR: f64 = 2.0;
-const FEED_FORCE: &str = "Feed force";
+const FEED_FORCE: &str = "Feed force on the tube's wall";
 const RATING: Style = Style::Line { color: BLACK, width: 1.4, dash: &[7.0, 3.0, 1.5, 3.0] };
 
 pub(crate) fn plot(view: &StageView) -> Option<Chart> {
