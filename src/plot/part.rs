@@ -17,7 +17,7 @@ pub(crate) fn plot(view: &StageView) -> Option<Chart> {
     let tools = tools(model, Some(frame), right).filter(|_| !is_released);
     let tools = tools.flat_map(|tool| mirrored(tool.points)).map(|body| Series::silent(body, TOOL));
     let thinnest = frame.elements.iter().min_by(|a, b| a.thickness.total_cmp(&b.thickness))?;
-    let thinned = 0.01 * thinning::percent(thinnest);
+    let thinned = 1e-4 * (100.0 * thinning::percent(thinnest)).round();
     let word = if thinned < 0.0 { "thicker" } else { "thinner" };
     let text = format!("{}, {} {word}", Amount::thickness(thinnest.thickness), Amount::share(thinned.abs()));
     let mut section = panel(model.geometry, window).with(tools).with(scale.section(frame, true));

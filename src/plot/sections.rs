@@ -73,7 +73,10 @@ pub(crate) fn body(role: Role, profile: &Profile, moved: Point, sagitta: f64) ->
     let (first, last) = (outline[0], outline[outline.len() - 1]);
     let (low, high) = bounds(outline.iter().map(|p| p.1));
     let far = if role.side() > 0.0 { high + FAR } else { low - FAR };
-    outline.extend([(last.0, far), (first.0, far)]);
+    // The tool is on the right of its profile: around a tube it goes on outward, not along the axis.
+    let around = first.0.max(last.0) + FAR;
+    let is_around = role.side() * (last.0 - first.0) > 0.0 && last.1 > first.1;
+    outline.extend(if is_around { [(around, last.1), (around, first.1)] } else { [(last.0, far), (first.0, far)] });
     outline
 }
 

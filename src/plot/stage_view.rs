@@ -148,7 +148,8 @@ impl<'a> StageView<'a> {
 
     pub(super) fn progress(&self) -> String {
         let (model, (what, ..)) = (self.model(), self.progress_quantity());
-        if model.travel > 0.0 { format!("{} {what}", model.name_of(model.worker())) } else { what.to_owned() }
+        let worker = model.tool(model.worker()).filter(|_| model.travel > 0.0);
+        worker.map_or_else(|| what.to_owned(), |tool| format!("{} {what}", model.name_of(tool.role)))
     }
 
     pub(super) fn progress_at(&self, frame: &Frame) -> Amount {
