@@ -68,8 +68,7 @@ pub(super) fn overlap(model: &Model) -> Option<Finding> {
 pub(super) fn idle(run: &Run) -> Option<Finding> {
     let last = run.stages.last().filter(|last| last.stop.is_complete())?;
     let touches = |name: &str| {
-        let mut peaks = run.stages.iter().flat_map(StageSolution::further_peaks);
-        peaks.any(|(_, other, peak)| other == name && peak > 0.0)
+        run.stages.iter().flat_map(StageSolution::further_peaks).any(|(_, other, peak)| other == name && peak > 0.0)
     };
     let names: Vec<&str> = last.model.further.iter().map(String::as_str).filter(|name| !touches(name)).collect();
     let name = *names.first()?;

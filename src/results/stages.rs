@@ -4,7 +4,7 @@ use super::{Files, Results, csv::csv_with_texts};
 use crate::assess::largest;
 use crate::case::Solution;
 use crate::measure::part_height;
-use crate::model::{Role, Tool, stage::Beginning, tool_sizes};
+use crate::model::{Role, stage::Beginning, tool_sizes};
 use crate::plot::fields::step::{HOLDER_FORCE, POLE_HEIGHT, PUNCH_FORCE, THINNEST};
 use crate::plot::stop_text;
 use crate::solver::solution::{Frame, StageSolution, StepRecord, StopKind};
@@ -95,11 +95,8 @@ pub(super) fn printed(solution: &Solution) -> String {
         let time = if stage.model.timed { format!("{}, ", Amount::time(last.time)) } else { String::new() };
         let [travel, edge, middle] = [last.travel, edge(stage, last), last.pole_height].map(Amount::place);
         let thin = Amount::thickness(last.thinnest);
-        let of_tool = |(j, tool): (usize, &Tool)| {
-            let peak = Amount::force(stage.pressing(j).into_iter().fold(0.0, f64::max), unit);
-            format!("{} at most {peak}, ", stage.model.name_of(tool.role))
-        };
-        let forces: String = stage.model.tools.iter().enumerate().map(of_tool).collect();
+        let forces = stage.peaks().map(|(_, name, peak)| format!("{name} at most {}, ", Amount::force(peak, unit)));
+        let forces: String = forces.collect();
         Some(format!(": {time}travel {travel}, {forces}thinnest {thin}, edge at {edge}, middle at {middle}"))
     };
     let each = lines.into_iter().enumerate().map(|(i, (name, stop, stage))| {

@@ -105,11 +105,15 @@ impl StageSolution {
         worker.and_then(|role| self.model.tool_index(role)).map_or_else(punch, |j| self.pressing(j))
     }
 
-    /// Further tools, their names, and the largest force with which each presses on the sheet \[N, or N/mm\].
+    /// [`Self::peaks`] of the further tools.
     pub fn further_peaks(&self) -> impl Iterator<Item = (&Tool, &str, f64)> {
-        let tools = self.model.tools.iter().enumerate().filter(|(_, tool)| tool.role.further().is_some());
+        self.peaks().filter(|(tool, ..)| tool.role.further().is_some())
+    }
+
+    /// Every tool with its name and the largest force with which it presses on the sheet \[N, or N/mm\].
+    pub fn peaks(&self) -> impl Iterator<Item = (&Tool, &str, f64)> {
         let peak = |j: usize| self.pressing(j).into_iter().fold(0.0, f64::max);
-        tools.map(move |(j, tool)| (tool, self.model.name_of(tool.role), peak(j)))
+        self.model.tools.iter().enumerate().map(move |(j, tool)| (tool, self.model.name_of(tool.role), peak(j)))
     }
 
     /// Force with which a tool presses on the sheet at each of the steps \[N, or N/mm\].
