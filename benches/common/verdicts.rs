@@ -49,7 +49,7 @@ pub fn random_part(seed: u64) -> BaseCase {
     }
 }
 
-/// What two verbs say otherwise of a part, and whether it is sound; the report's error bars take seventeen times as long as the run.
+/// What two verbs say otherwise of a part, and whether it is sound; the report's error bars cost as much as ten runs.
 pub fn disagreement(part: &BaseCase, has_report: bool) -> (Option<String>, bool) {
     let solution = part.case(&[]).expect("a case").solve(&mut ());
     let (run, lines) = judge(&solution, None, false, &());

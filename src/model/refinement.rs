@@ -22,15 +22,15 @@ pub enum Direction {
     CutOff,
 }
 
-/// Name, refinement in words with its factor as `{}`, and formal order of convergence \[–\] of those that are extrapolated.
-const TABLE: [(&str, &str, Option<f64>); 7] = [
-    ("elements", "{} times the elements", Some(2.0)),
-    ("points", "{} times the points through the thickness", None),
-    ("steps", "steps of 1/{} of the length", None),
-    ("contact stiffness", "{} times the contact stiffness", None),
-    ("contact smoothing", "1/{} of the contact smoothing", Some(1.0)),
-    ("slip speed", "1/{} of the slip speed", None),
-    ("cut-off", "1/{} of the cut-off strain", None),
+/// Name, and refinement in words with its factor as `{}`.
+const TABLE: [(&str, &str); 7] = [
+    ("elements", "{} times the elements"),
+    ("points", "{} times the points through the thickness"),
+    ("steps", "steps of 1/{} of the length"),
+    ("contact stiffness", "{} times the contact stiffness"),
+    ("contact smoothing", "1/{} of the contact smoothing"),
+    ("slip speed", "1/{} of the slip speed"),
+    ("cut-off", "1/{} of the cut-off strain"),
 ];
 
 impl Direction {
@@ -51,11 +51,6 @@ impl Direction {
     /// Refinement in words: `4 times the elements`.
     pub fn text(self, times: f64) -> String {
         TABLE[self as usize].1.replace("{}", &Amount::number(times).to_string())
-    }
-
-    /// Formal order of convergence \[–\]; `None` for a direction that is not extrapolated.
-    pub fn order(self) -> Option<f64> {
-        TABLE[self as usize].2
     }
 
     /// Stages refined by a factor; `None` if there is nothing to refine.

@@ -61,8 +61,8 @@ fn numbers(value: &Value) -> Vec<(String, Option<f64>)> {
 fn programs_read_the_bars_that_are_asked_for() {
     let dir = folder(CUP);
     let check = json(dir.path(), "check cases/cup.toml --run --json");
-    assert_eq!(check["verdict"]["error_bars"]["runs"], 9);
-    assert_eq!(check["verdict"]["error_bars"]["method"], "error bars from 9 finer runs");
+    assert_eq!(check["verdict"]["error_bars"]["runs"], 8);
+    assert_eq!(check["verdict"]["error_bars"]["method"], "error bars from 8 finer runs");
     let told = numbers(&check["verdict"]);
     assert!(told.iter().filter(|(_, bar)| bar.is_some_and(|bar| bar > 0.0)).count() >= 4, "{told:?}");
     let blank = check["verdict"]["numbers"].as_array().expect("numbers").iter().find(|n| n["key"] == "blank");
