@@ -77,7 +77,7 @@ def influences():
         "Voce's law and no friction of the ball": lambda name: [voce(name), f"{ball}0"],
         "r = 1.5": lambda _: ["material.anisotropy=1.5"],
         "weakest coil of the band": lambda _: ['material.coil="weak"'],
-        "600 elements for 382": lambda _: ["blank.elements=600"],
+        "600 elements for 160": lambda _: ["blank.elements=600"],
     }
     print("change," + ",".join(f"{name} at {thickness}" for name, thickness in sheets.items()))
     with tempfile.TemporaryDirectory() as folder:

@@ -32,7 +32,7 @@ use crate::numerics::Power;
 /// Exponents: from Hill's to beyond that of fcc; sharper corners than these find no equilibrium in whole runs \[–\].
 const EXPONENT: [f64; 2] = [2.0, 10.0];
 /// Step over its distances to 0 and to 1 after which x is right to round-off \[–\]: Halley's method is of third order.
-const LAST: f64 = 1e-6;
+const LAST: f64 = 1e-5;
 /// Width of a bracket that is round-off \[–\].
 const ROUND_OFF: f64 = 2e-16;
 /// Ratios of strain increments that are one \[–\]: between them a chord is round-off.

@@ -1,7 +1,5 @@
 //! Strain increments, stresses and matrices of a thickness point, and the yield conditions that relate them.
 
-use nalgebra::{Matrix3, Vector3};
-
 /// Shear correction factor of the Mindlin shell \[–\].
 pub const SHEAR_FACTOR: f64 = 5.0 / 6.0;
 
@@ -124,9 +122,13 @@ pub trait YieldCondition {
 }
 
 /// wᵀ A⁻¹ w of a positive definite A.
-fn inverse_square([ss, st, tt, sg, tg, gg]: Symmetric, w: Triple) -> f64 {
-    let (matrix, w) = (Matrix3::new(ss, st, sg, st, tt, tg, sg, tg, gg), Vector3::from(w));
-    matrix.cholesky().map_or(f64::INFINITY, |factors| w.dot(&factors.solve(&w)))
+fn inverse_square([ss, st, tt, sg, tg, gg]: Symmetric, [s, t, g]: Triple) -> f64 {
+    // What is left of A and w once γ is eliminated.
+    let (by_s, by_t) = (sg / gg, tg / gg);
+    let (ss, st, tt) = (ss - sg * by_s, st - sg * by_t, tt - tg * by_t);
+    let (s, t, determinant) = (s - by_s * g, t - by_t * g, ss * tt - st * st);
+    let square = (tt * s * s - 2.0 * st * s * t + ss * t * t) / determinant + g * g / gg;
+    if gg > 0.0 && ss > 0.0 && determinant > 0.0 { square } else { f64::INFINITY }
 }
 
 /// Central differences ∂f_i/∂x_j with the step `h`.

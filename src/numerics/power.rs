@@ -30,7 +30,6 @@ impl Power {
     pub fn root(&self, y: f64) -> f64 {
         match self.whole {
             Some(8) => y.sqrt().sqrt().sqrt(),
-            Some(4) => y.sqrt().sqrt(),
             Some(2) => y.sqrt(),
             _ => y.powf(1.0 / self.exponent),
         }
@@ -40,8 +39,6 @@ impl Power {
     pub fn inverse_square(&self, y: f64) -> f64 {
         match self.whole {
             Some(8) => 1.0 / y.sqrt().sqrt(),
-            Some(6) => 1.0 / y.cbrt(),
-            Some(4) => 1.0 / y.sqrt(),
             Some(2) => 1.0 / y,
             _ => y.powf(-2.0 / self.exponent),
         }

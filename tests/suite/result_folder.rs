@@ -240,10 +240,10 @@ fn a_folder_that_goes_away_or_is_blocked_during_a_run_loses_no_result() {
 #[cfg(unix)]
 #[test]
 fn a_second_signal_ends_the_program_at_once_but_not_that_of_a_closed_terminal() {
-    let until_written = "kill -HUP ID; kill -HUP ID; kill -CONT ID; while test -e out/.cup.lock; do sleep 0.1; done";
+    let until_ended = "kill -HUP ID ID; kill -CONT ID; until ps -o stat= -p ID | grep -q Z; do sleep 0.1; done";
     for (before, signals, is_kept) in [
         ("", "kill -INT ID; kill -TERM ID; kill -CONT ID", false),
-        ("env --default-signal=HUP", until_written, true),
+        ("env --default-signal=HUP", until_ended, true),
         ("env --ignore-signal=HUP", "kill -HUP ID; kill -CONT ID", true),
     ] {
         let dir = folder(&endless());
