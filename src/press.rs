@@ -125,10 +125,8 @@ impl Drive {
 
     /// Height from which the slide comes \[mm\].
     pub fn reach(&self) -> f64 {
-        match &self.pace {
-            Some(Pace::Servo(heights)) => self.linkage.stroke().min(heights.largest()),
-            _ => self.linkage.stroke(),
-        }
+        let stroke = self.linkage.stroke();
+        if let Some(Pace::Servo(heights)) = &self.pace { stroke.min(heights.largest()) } else { stroke }
     }
 
     /// Punch travel \[mm\] over time \[s\] of a stroke that ends at the bottom dead centre; `None` without a motion in time.

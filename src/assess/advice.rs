@@ -64,8 +64,7 @@ pub fn advise(findings: &mut [Finding], tried: &[Tried]) {
 impl Tried {
     fn gain(&self, row: &Finding) -> Option<f64> {
         let holds_more = HOLDS_MORE.contains(&(self.size, self.is_more)) && PULLED.contains(&row.key);
-        let new =
-            judgements(&self.findings).find(|new| new.key == row.key && new.light > Light::Grey && !holds_more)?;
+        let new = judgements(&self.findings).find(|n| n.key == row.key && n.light > Light::Grey && !holds_more)?;
         let by = row.limits().and_then(|limits| {
             let by = row.value()? - new.value()?;
             Some(if limits.sense == Sense::AtMost { by } else { -by })
@@ -85,8 +84,7 @@ impl Tried {
     fn text(&self, row: &Finding) -> Option<String> {
         let Self { words, findings, .. } = self;
         let Some(new) = judgements(findings).find(|new| new.key == row.key) else { return Some(words.clone()) };
-        let amount =
-            |row: &Finding| row.limits().and(row.quantity.as_ref()).map(|own| Amount { bar: None, ..own.amount });
+        let amount = |row: &Finding| row.limits().and(row.quantity.as_ref()).map(|q| Amount { bar: None, ..q.amount });
         match amount(row).zip(amount(new)) {
             Some((from, to)) if from.parts().0 == to.parts().0 => None,
             Some((from, to)) => Some(format!("{words}: {} → {to}", from.parts().0)),

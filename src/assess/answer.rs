@@ -1,10 +1,11 @@
 //! Verdict in one sentence, its failure modes, and the numbers of the part.
 
 use super::filling::Filling;
-use super::press::{Load, RESERVE, with_tonnes};
+use super::press::{closing, largest_force, load};
 use super::tear::{self, Tear, place, tear};
 use super::{finding::labels, *};
-use crate::measure::{OPENING_ANGLE, Shape, end_diameter, part_height, stripping_force, wall_at};
+use crate::measure::{OPENING_ANGLE, Shape, element_at, end_diameter, part_height, stripping_force, wall_at};
+use crate::numerics::interpolated;
 use crate::solver::solution::Frame;
 
 /// Verdict in one sentence, and the numbers that a part is known by.
@@ -112,12 +113,14 @@ fn numbers(case: &Case, stages: &[StageSolution], is_torn: bool) -> Vec<Quantity
         stages.last().and_then(erichsen_index),
         stages.first().and_then(holder),
         stages.first().and_then(pad),
+        stages.first().and_then(clamp),
         stages.last().and_then(stripping),
         further(stages),
         Some(blank(case.model())),
         stages.last().and_then(opening_angle),
         stages.last().filter(|_| !is_torn).and_then(height),
-        stages.last().filter(|_| !is_torn).and_then(|stage| rim(case, stage)),
+        stages.last().filter(|_| !is_torn).and_then(|stage| rim(case, stage).or_else(|| ironed(stage))),
+        stages.last().filter(|_| !is_torn).and_then(step),
         draw_in(stages),
         ring(case, stages),
     ];
@@ -138,86 +141,11 @@ fn thicker(stages: &[StageSolution]) -> Option<String> {
 fn thinnest(stages: &[StageSolution], end: &StepRecord, is_torn: bool) -> Option<Quantity> {
     let thinning = (1.0 - end.thinnest / stages.last()?.model.blank.unformed_thickness(end.thinnest_s0)).max(0.0);
     // What comes after it is another sheet.
-    let after = if is_torn {
-        "after the tear".into()
-    } else {
-        thicker(stages).filter(|_| thinning < NOTHING).unwrap_or_default()
-    };
+    let thicker = || thicker(stages).filter(|_| thinning < NOTHING).unwrap_or_default();
+    let after = if is_torn { "after the tear".into() } else { thicker() };
     let thinner = Amount::share((1e4 * thinning).round() / 1e4);
     let about = [format!("{thinner} thinner"), place(stages, end.thinnest_s0), after];
     Some(Quantity::new("thinnest", "Thinnest", Amount::thickness(end.thinnest)).at(joined(about, ", ")))
-}
-
-type Peak<'a> = Option<(usize, &'a StepRecord, f64)>;
-
-fn largest(stages: &[StageSolution], values: fn(&StageSolution) -> Vec<f64>) -> Peak<'_> {
-    let steps = formed(stages).flat_map(|(i, on)| on.steps.iter().zip(values(on)).map(move |(s, v)| (i, s, v)));
-    steps.max_by(|a, b| a.2.total_cmp(&b.2)).filter(|(.., value)| *value > 0.0)
-}
-
-/// Largest force of the tools that [work](StageSolution::working_force).
-pub fn largest_force(stages: &[StageSolution]) -> Peak<'_> {
-    largest(stages, StageSolution::working_force)
-}
-
-/// Largest force over all stages and the press for it with its error bar \[N, or N/mm\], or largest pressure if no punch moves.
-pub(super) fn load(case: &Case, stages: &[StageSolution], bar: f64) -> Option<Quantity> {
-    let stage = |i: usize| if formed(stages).count() > 1 { format!("in stage {}", i + 1) } else { String::new() };
-    let Some((i, peak, force)) = largest_force(stages) else {
-        let pressures = |on: &StageSolution| on.steps.iter().map(|step| step.pressure.abs()).collect();
-        let (i, peak, pressure) = largest(stages, pressures)?;
-        let at = format!("at a height of {}", Amount::place(peak.pole_height.abs()));
-        let pressure = Quantity::new("pressure", "Pressure", Amount::stress(pressure));
-        return Some(pressure.at(joined([stage(i), at], ", ")));
-    };
-    let pressed = Load::largest(stages, &case.press)?;
-    let fed = stages[i].model.blank.edge == Edge::Fed && stages[i].model.tool(Role::Punch).is_none();
-    // A feeding cylinder bears the end of the tube and the pressure on its seal.
-    let (i, peak, force) = if fed { pressed.peak() } else { (i, peak, force) };
-    let seal = Some(pressed.thrust()).filter(|thrust| *thrust > 0.0);
-    let seal =
-        seal.map_or_else(String::new, |thrust| format!("{} of it the pressure's on the seal", pressed.amount(thrust)));
-    let of = |on: &StageSolution| match on.model.worker() {
-        role @ (Role::Upper(_) | Role::Lower(_)) => format!("of the {}", on.model.name_of(role)),
-        _ => String::new(),
-    };
-    let at = format!("at {}", instant(&stages[i], peak.travel, peak.time));
-    let at = joined([of(&stages[i]), stage(i), at, seal], ", ");
-    let others = formed(stages).filter(|(other, _)| *other != i).filter_map(|(other, on)| {
-        let force = Some(on.working_force().into_iter().fold(0.0, f64::max)).filter(|force| *force > 0.0)?;
-        Some(joined([format!("{} in stage {}", pressed.amount(force), other + 1), of(on)], " "))
-    });
-    let about = joined([at, joined(others, ", "), press(case, &pressed, bar)], "; ");
-    let label = if !of(&stages[i]).is_empty() {
-        "Tool force"
-    } else if fed {
-        "Feed force"
-    } else {
-        "Punch force"
-    };
-    Some(Quantity::new("punch_force", label, pressed.amount(force)).at(about))
-}
-
-/// Share of the press's rating, or press for a load and its error bar \[N, or N/mm\].
-fn press(case: &Case, load: &Load, bar: f64) -> String {
-    let with_holder = if load.holder() > 0.0 { " with the holder" } else { "" };
-    let error = if bar > (RESERVE - 1.0) * load.force() { ", or the load and its error bar" } else { "" };
-    let Some(rating) = case.press.permitted(load.left()) else {
-        return format!(
-            "press of at least {}{with_holder} ({RESERVE} × the load{error}, rounded up)",
-            load.rating(bar)
-        );
-    };
-    let (share, rating) = (Amount::share(load.force() / rating), load.amount(rating));
-    match &case.press.drive {
-        Some(_) => format!("{share} of the {} that the drive permits{with_holder}", with_tonnes(rating)),
-        None => format!("{share} of the press's {}{with_holder}", with_tonnes(rating.to(Digits::Given(3)))),
-    }
-}
-
-fn closing(case: &Case, stages: &[StageSolution]) -> Option<Quantity> {
-    let load = Load::largest(stages, &case.press).filter(|load| load.closing() > 0.0)?;
-    Some(Quantity::new("closing_force", "Closing force", load.amount(load.force())).at(press(case, &load, 0.0)))
 }
 
 fn die_gap(stage: &StageSolution) -> Option<Quantity> {
@@ -258,6 +186,14 @@ fn pad(stage: &StageSolution) -> Option<Quantity> {
     let unit = stage.model.tool(Role::Pad).map(|_| stage.model.extent().force_unit())?;
     let force = Amount::force(super::largest(stage, |step| step.pad_force), unit);
     Some(Quantity::new("pad_force", "Pad", force.to(Digits::Significant(3))).at("at its largest, against the punch"))
+}
+
+fn clamp(stage: &StageSolution) -> Option<Quantity> {
+    let pull = Some(super::largest(stage, |step| step.edge_force)).filter(|pull| *pull > 0.0)?;
+    let pull = Amount::force(pull, stage.model.extent().force_unit()).to(Digits::Significant(3));
+    let about =
+        worded(stage.model.geometry, "pull on the held edge, all round", "pull on the held edges, both together");
+    Some(Quantity::new("clamp_force", "Clamp", pull).at(format!("{about}, at its largest")))
 }
 
 fn further(stages: &[StageSolution]) -> Option<Quantity> {
@@ -317,17 +253,47 @@ fn height(stage: &StageSolution) -> Option<Quantity> {
     Some(height.at(format!("over all{}", under_load(before))))
 }
 
+/// Depth between the ends of a punch's inner and outer flat, where the sheet lies at the same distances from the symmetry plane.
+fn step(stage: &StageSolution) -> Option<Quantity> {
+    let [before, after] = stage.released().filter(|_| stage.model.geometry == Geometry::PlaneStrain)?;
+    let pieces = stage.model.tool(Role::Punch)?.profile.pieces();
+    let (inner, outer) = (pieces.first()?, pieces.last()?);
+    let is_level = |piece: &Piece| matches!(piece, Piece::Segment(line) if line.from.y == line.to.y);
+    let of_punch = inner.last().y - outer.first().y;
+    let depth = |frame: &Frame| {
+        let middle: Vec<_> = frame.nodes.iter().map(|node| (node.r, node.z)).collect();
+        Amount::thickness(interpolated(&middle, inner.last().x) - interpolated(&middle, outer.first().x))
+    };
+    let about = format!("sprung back, {} under load, {} of the punch", depth(before), Amount::thickness(of_punch));
+    let is_stepped = is_level(inner) && is_level(outer) && of_punch > 0.0;
+    is_stepped.then(|| Quantity::new("step", "Step", depth(after)).at(about))
+}
+
 /// Excess of a wall over its gap that is worth a word \[mm\]: declared, two of the last digit.
 const PRESSED: f64 = 0.02;
 
 fn rim(case: &Case, stage: &StageSolution) -> Option<Quantity> {
     let height = case.finished.height.filter(|_| case.finished.flange_diameter.is_none())?;
     let [r, _, thickness] = wall_at(stage.frames.last()?, height)?;
-    let pressed =
-        estimate::clearance(&stage.model, stage.model.travel).map(|gap| thickness - gap).filter(|by| *by > PRESSED);
-    let pressed = pressed.map(|by| format!(", pressed by {} into the tools (penalty)", Amount::thickness(by)));
     let outside = format!("thick where it is trimmed, {} outside", Amount::place(2.0 * r + thickness));
-    Some(Quantity::new("rim", "Rim", Amount::thickness(thickness)).at(outside + &pressed.unwrap_or_default()))
+    Some(Quantity::new("rim", "Rim", Amount::thickness(thickness)).at(outside + &pressed(stage, thickness)))
+}
+
+fn ironed(stage: &StageSolution) -> Option<Quantity> {
+    let most = stage.steps.iter().max_by(|a, b| a.ironing.total_cmp(&b.ironing))?;
+    let frame = stage.frames.last().filter(|_| most.ironing > tools::IRONED)?;
+    let wall = frame.elements[element_at(frame, most.ironing_s0)?].thickness;
+    let about = format!("thick where it is ironed most{}", pressed(stage, wall));
+    Some(Quantity::new("wall", "Wall", Amount::thickness(wall)).at(about))
+}
+
+/// Excess of a wall over the gap that it goes through \[mm\], by which the penalty of contact lets it into the tools.
+fn pressed(stage: &StageSolution, wall: f64) -> String {
+    let gap = estimate::clearance(&stage.model, stage.model.travel).filter(|gap| wall - gap > PRESSED);
+    gap.map_or_else(String::new, |gap| {
+        let [gap, by] = [gap, wall - gap].map(Amount::thickness);
+        format!(", {by} more than the gap of {gap}: pressed into the tools (penalty)")
+    })
 }
 
 fn under_load(before: Option<Amount>) -> String {
@@ -335,8 +301,8 @@ fn under_load(before: Option<Amount>) -> String {
 }
 
 fn draw_in(stages: &[StageSolution]) -> Option<Quantity> {
-    let is_drawn_in = |on: &StageSolution| on.model.blank.meridian.is_none() && on.stop.kind != StopKind::LeftDie;
-    let (_, stage) = formed(stages).last().filter(|(_, stage)| is_drawn_in(stage))?;
+    let (_, stage) = formed(stages).last().filter(|(_, stage)| stage.stop.kind != StopKind::LeftDie)?;
+    Some(&stage.model.blank).filter(|blank| blank.meridian.is_none() && blank.edge == Edge::Free)?;
     let load = if stages.last()?.model.release.is_some() { ", under load" } else { "" };
     let draw_in = Quantity::new("draw_in", "Draw-in", Amount::draw_in(stage.steps.last()?.draw_in));
     Some(draw_in.at(format!("of the edge, on each side{load}")))

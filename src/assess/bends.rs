@@ -21,11 +21,10 @@ pub(super) fn sharp_corner(model: &Model, tool: &Tool) -> Option<Finding> {
     let sharp: Vec<_> = tool.profile.vertices().filter(|v| v.turn.abs() > CORNER && is_met(v.point)).collect();
     let first = sharp.first()?;
     let others = if sharp.len() > 1 { format!(" and at {} more", sharp.len() - 1) } else { String::new() };
-    let [r, z] = [first.point.x, first.point.y].map(Amount::size);
+    let (name, [r, z]) = (model.name_of(tool.role), [first.point.x, first.point.y].map(Amount::size));
     let text = format!(
-        "the {}'s profile has a sharp corner, radius 0, of {{}} at r = {r}, z = {z} (as placed, z = 0 is the flat sheet's \
-         middle){others}: no sheet can follow it",
-        model.name_of(tool.role)
+        "the {name}'s profile has a sharp corner, radius 0, of {{}} at r = {r}, z = {z} (as placed, z = 0 is the flat sheet's \
+         middle){others}: no sheet can follow it"
     );
     let turn = Amount::angle(first.turn.abs().to_degrees()).to(Digits::Given(1));
     let warning = Finding::warning("sharp_corner", "Sharp corner", text).number(turn);

@@ -38,9 +38,8 @@ pub fn report(case: &Case) -> Check {
     lines.extend(tools::holder(model));
     lines.push(number("elements", Amount::count(model.blank.elements as f64), ""));
     lines.extend(estimate::coarsest_corner(model).map(|fit| {
-        let (tool, radius, per_quarter) =
-            (model.name_of(fit.role), Amount::drawn(fit.radius), Amount::norm(fit.per_quarter));
-        let meaning = format!("at the {tool}'s radius of {radius}: {per_quarter} elements per 90°");
+        let (tool, radius, count) = (model.name_of(fit.role), Amount::drawn(fit.radius), Amount::norm(fit.per_quarter));
+        let meaning = format!("at the {tool}'s radius of {radius}: {count} elements per 90°");
         number("element size", Amount::size(fit.size), meaning)
     }));
     lines.extend(case.later().iter().enumerate().map(|(i, stage)| tools::stage(i + 2, stage)));

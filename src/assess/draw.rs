@@ -158,11 +158,10 @@ pub(super) fn ears(run: &Run) -> Option<Finding> {
     let lengths = frame.nodes.windows(2).map(|pair| (pair[1].r - pair[0].r).hypot(pair[1].z - pair[0].z));
     let ears = r.rim_heights(lengths.zip(frame.elements.iter().map(|element| element.strain_hoop)));
     let height = ears.into_iter().fold(f64::NEG_INFINITY, f64::max) - ears.into_iter().fold(f64::INFINITY, f64::min);
-    let [along, diagonal, across] = ears.map(Amount::place);
+    let ([along, diagonal, across], planar) = (ears.map(Amount::place), Amount::ratio(r.planar()));
     let text = format!(
         "ears of {{}}; at 0, 45 and 90° to rolling the rim lies {along}, {diagonal} and {across} beyond the computed mean \
-         (Δr = {})",
-        Amount::ratio(r.planar())
+         (Δr = {planar})"
     );
     let source = "an estimate: hoop compression with r by direction (Yoon, Dick and Barlat 2011)";
     let judged = Finding::judged("ears", "Ears", text).number(Amount::place(height));

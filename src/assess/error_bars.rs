@@ -130,10 +130,8 @@ pub fn weighed(solution: &Solution, findings: Vec<Finding>, bars: Option<&ErrorB
     let mut answer = Answer::of(case, stages, &findings);
     for number in &mut answer.numbers {
         let error = bars.error(Origin::Answer, number.key, "given, not computed");
-        let loaded = match error {
-            ErrorBar::Half(half) if number.key == "punch_force" => answer::load(case, stages, half),
-            _ => None,
-        };
+        let half = if let ErrorBar::Half(half) = error { Some(half) } else { None };
+        let loaded = half.filter(|_| number.key == "punch_force").and_then(|half| press::load(case, stages, half));
         *number = loaded.unwrap_or_else(|| number.clone()).with_error(error);
     }
     (answer, findings)

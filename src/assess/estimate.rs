@@ -20,9 +20,8 @@ pub(super) fn has_land(model: &Model) -> bool {
 
 pub(crate) fn draw_ratio(model: &Model) -> Option<f64> {
     let punch = model.tool(Role::Punch)?;
-    let is_flat = model.blank.meridian.is_none();
-    let drawn =
-        is_flat && model.geometry == Geometry::Axisymmetric && model.blank.edge == Edge::Free && !embosses(model);
+    let flat = model.blank.meridian.is_none();
+    let drawn = flat && model.geometry == Geometry::Axisymmetric && model.blank.edge == Edge::Free && !embosses(model);
     let ratio = model.blank.length / mouth(punch, model.travel);
     (drawn && ratio > 1.0 && ratio.is_finite()).then_some(ratio)
 }

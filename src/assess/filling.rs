@@ -22,10 +22,6 @@ impl Filling {
     pub fn of(stage: &StageSolution) -> Option<Self> {
         let (frame, die) = (stage.frames.last()?, &stage.model.tool(Role::Die)?.profile);
         let within = stage.model.gas.iter().map(|gas| gas.within).reduce(f64::max)?;
-        let hollow = |piece: &Piece| match piece {
-            Piece::Arc(arc) if arc.sweep > 0.0 => Some(*arc),
-            _ => None,
-        };
         let gap = |(i, node): (usize, &NodeRecord)| {
             let x = Point::new(node.r, node.z);
             let closest = die.closest(x);
@@ -35,11 +31,11 @@ impl Filling {
             let is_beside = node.r < within && !is_end(die.first()) && !is_end(die.last());
             is_beside.then_some((closest.distance - 0.5 * node.thickness, i, closest.piece))
         };
-        let is_hollow = on_axis(&die.last()) || die.pieces().iter().any(|piece| hollow(piece).is_some());
+        let is_hollow = on_axis(&die.last()) || die.pieces().iter().any(|piece| piece.hollow().is_some());
         let gaps = frame.nodes.iter().enumerate().filter_map(gap).filter(|_| is_hollow);
         let (gap, i, piece) = gaps.max_by(|a, b| a.0.total_cmp(&b.0))?;
         let (gap, element) = (gap.max(0.0), &frame.elements[i.min(frame.elements.len() - 1)]);
-        let corner = hollow(&die.pieces()[piece]).filter(|arc| !on_axis(&arc.at(1.0)));
+        let corner = die.pieces()[piece].hollow().filter(|arc| !on_axis(&arc.at(1.0)));
         let corner = corner.map(|arc| [arc.radius + gap / (1.0 / (0.5 * arc.sweep).cos() - 1.0), arc.radius]);
         Some(Self { gap, s0: element.s0, corner })
     }

@@ -2,6 +2,7 @@
 
 use super::{estimate::tensile_strength, forming_limit::other_condition, *};
 use crate::forming_limit::SHORTEST;
+use crate::model::Zone;
 use crate::units::ZERO_CELSIUS;
 
 /// Tensile strengths of cold-formed sheet \[MPa\].
@@ -149,4 +150,14 @@ pub(super) fn temperature(stage: &StageSolution) -> Option<Finding> {
         false => warning.number(celsius(coldest)).at_least(celsius(cold).value, None),
     };
     Some(warning.limit(limit))
+}
+
+pub(super) fn idle_zone(model: &Model) -> Option<Finding> {
+    let own = |zone: &&Zone| zone.material.as_ref().is_some_and(|metal| *metal != model.material);
+    let is_idle = |zone: &&Zone| zone.thickness == model.blank.thickness && !own(zone);
+    let [from, to] = model.blank.zones.iter().find(is_idle)?.within.map(Amount::set);
+    let text = format!("the zone from {from} to {to} is as the rest of the blank: it changes nothing");
+    let warning =
+        Finding::warning("idle_zone", "Zone", text).limit("unlike the blank").source("the case's blank.zones");
+    Some(warning.advice("give it a thickness or a hardening of its own, or drop it"))
 }

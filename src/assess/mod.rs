@@ -28,13 +28,14 @@ mod stop;
 mod tear;
 mod tools;
 
-pub use answer::{Answer, largest_force};
+pub use answer::Answer;
 pub use draw::draws;
 pub use failure::FailureMode;
 pub use finding::{Finding, Kind, Light, When, by_advice, first_clause, headline, judgements, sentences, unchecked};
 pub use fold::folded;
 pub use forming_limit::{CAREFUL, Used, used as forming_limit_used};
 pub use holder::holder_lift;
+pub use press::largest_force;
 pub use size::{SIZE_CHECKS, size_doubts};
 pub use tear::tears_at;
 
@@ -50,10 +51,12 @@ use crate::units::{Amount, Digits, ErrorBar, Limits, Quantity, Sense, Unit, join
 use forming_limit::Nearest;
 use serde::{Serialize, Serializer, ser::SerializeMap};
 
-const ON_CASE: &[fn(&Case) -> Option<Finding>] = &[material::mixed, material::thickness, sensitivity::assumed];
+const ON_CASE: &[fn(&Case) -> Option<Finding>] =
+    &[press::no_force, material::mixed, material::thickness, sensitivity::assumed];
 
 const ON_MODEL: &[fn(&Model) -> Option<Finding>] = &[
     material::strength,
+    material::idle_zone,
     stop::earlier,
     holder::closes,
     holder::idle,

@@ -9,24 +9,27 @@ use crate::units::DisplaySettings;
 /// Share of a rating from which on little of it is left \[–\]: a declared rule of thumb.
 const NEAR: f64 = 0.8;
 /// Rating over the largest load \[–\]: a declared rule of thumb.
-pub(super) const RESERVE: f64 = 1.2;
+const RESERVE: f64 = 1.2;
 /// Metric tonne-force \[N\].
 const TONNE: f64 = 9806.65;
 
 /// Largest load of a press: its ram bears the punch, or a pressure that opens the tools, and with it what presses the holder.
-pub(super) struct Load<'a> {
+struct Load<'a> {
     stage: usize,
     on: &'a StageSolution,
     step: &'a StepRecord,
     /// Forces of all tools.
     forces: &'a [f64],
+    /// True where the run ends as tools squeeze the sheet: their force has no bound.
+    squeezes: bool,
 }
 
 impl<'a> Load<'a> {
     /// Largest over all stages, of forces over what the press permits at their travel; `None` if nothing presses.
     pub fn largest(stages: &'a [StageSolution], press: &Press) -> Option<Self> {
         let steps = formed(stages).flat_map(|(stage, on)| {
-            on.steps.iter().zip(&on.tool_forces).map(move |(step, forces)| Self { stage, on, step, forces })
+            let squeezes = on.stop.kind == StopKind::ToolsClosed;
+            on.steps.iter().zip(&on.tool_forces).map(move |(step, forces)| Self { stage, on, step, forces, squeezes })
         });
         let share = |load: &Self| load.force() / press.permitted(load.left()).unwrap_or(1.0);
         steps.filter(|load| load.driven() > 0.0).max_by(|a, b| share(a).total_cmp(&share(b)))
@@ -99,8 +102,80 @@ impl<'a> Load<'a> {
     }
 }
 
+type Peak<'a> = Option<(usize, &'a StepRecord, f64)>;
+
+fn largest(stages: &[StageSolution], values: fn(&StageSolution) -> Vec<f64>) -> Peak<'_> {
+    let steps = formed(stages).flat_map(|(i, on)| on.steps.iter().zip(values(on)).map(move |(s, v)| (i, s, v)));
+    steps.max_by(|a, b| a.2.total_cmp(&b.2)).filter(|(.., value)| *value > 0.0)
+}
+
+/// Largest force of the tools that [work](StageSolution::working_force).
+pub fn largest_force(stages: &[StageSolution]) -> Peak<'_> {
+    largest(stages, StageSolution::working_force)
+}
+
+/// Largest force over all stages and the press for it with its error bar \[N, or N/mm\], or largest pressure if no punch moves.
+pub(super) fn load(case: &Case, stages: &[StageSolution], bar: f64) -> Option<Quantity> {
+    let stage = |i: usize| if formed(stages).count() > 1 { format!("in stage {}", i + 1) } else { String::new() };
+    let Some((i, peak, force)) = largest_force(stages) else {
+        let pressures = |on: &StageSolution| on.steps.iter().map(|step| step.pressure.abs()).collect();
+        let (i, peak, pressure) = largest(stages, pressures)?;
+        let at = format!("at a height of {}", Amount::place(peak.pole_height.abs()));
+        let pressure = Quantity::new("pressure", "Pressure", Amount::stress(pressure));
+        return Some(pressure.at(joined([stage(i), at], ", ")));
+    };
+    let pressed = Load::largest(stages, &case.press)?;
+    let fed = stages[i].model.blank.edge == Edge::Fed && stages[i].model.tool(Role::Punch).is_none();
+    // A feeding cylinder bears the end of the tube and the pressure on its seal.
+    let (i, peak, force) = if fed { pressed.peak() } else { (i, peak, force) };
+    let of_seal = |thrust: f64| format!("{} of it the pressure's on the seal", pressed.amount(thrust));
+    let seal = Some(pressed.thrust()).filter(|thrust| *thrust > 0.0).map(of_seal).unwrap_or_default();
+    let of = |on: &StageSolution| match on.model.worker() {
+        role @ (Role::Upper(_) | Role::Lower(_)) => format!("of the {}", on.model.name_of(role)),
+        _ => String::new(),
+    };
+    let at = format!("at {}", instant(&stages[i], peak.travel, peak.time));
+    let at = joined([of(&stages[i]), stage(i), at, seal], ", ");
+    let others = formed(stages).filter(|(other, _)| *other != i).filter_map(|(other, on)| {
+        let force = Some(on.working_force().into_iter().fold(0.0, f64::max)).filter(|force| *force > 0.0)?;
+        Some(joined([format!("{} in stage {}", pressed.amount(force), other + 1), of(on)], " "))
+    });
+    let about = joined([at, joined(others, ", "), press(case, &pressed, bar)], "; ");
+    let label = if !of(&stages[i]).is_empty() {
+        "Tool force"
+    } else if fed {
+        "Feed force"
+    } else {
+        "Punch force"
+    };
+    Some(Quantity::new("punch_force", label, pressed.amount(force)).at(about))
+}
+
+/// Share of the press's rating, or press for a load and its error bar \[N, or N/mm\].
+fn press(case: &Case, load: &Load, bar: f64) -> String {
+    let with_holder = if load.holder() > 0.0 { " with the holder" } else { "" };
+    if load.squeezes {
+        return "no press is given: the tools squeeze the sheet".into();
+    }
+    let error = if bar > (RESERVE - 1.0) * load.force() { ", or the load and its error bar" } else { "" };
+    let Some(rating) = case.press.permitted(load.left()) else {
+        let rating = load.rating(bar);
+        return format!("press of at least {rating}{with_holder} ({RESERVE} × the load{error}, rounded up)");
+    };
+    let (share, rating) = (Amount::share(load.force() / rating), load.amount(rating));
+    match &case.press.drive {
+        Some(_) => format!("{share} of the {} that the drive permits{with_holder}", with_tonnes(rating)),
+        None => format!("{share} of the press's {}{with_holder}", with_tonnes(rating.to(Digits::Given(3)))),
+    }
+}
+
+pub(super) fn closing(case: &Case, stages: &[StageSolution]) -> Option<Quantity> {
+    let load = Load::largest(stages, &case.press).filter(|load| load.closing() > 0.0)?;
+    Some(Quantity::new("closing_force", "Closing force", load.amount(load.force())).at(press(case, &load, 0.0)))
+}
+
 /// Force as the data sheet of a press has it, in metric tonnes-force too: `812 kN (83 t)`.
-pub(super) fn with_tonnes(force: Amount) -> String {
+fn with_tonnes(force: Amount) -> String {
     // A rating in tonnes has many digits in kN.
     let force = force.with_value(significant(force.value, 4));
     match force.unit {
@@ -109,6 +184,15 @@ pub(super) fn with_tonnes(force: Amount) -> String {
         }
         _ => force.to_string(),
     }
+}
+
+/// Drive without a force to permit, or a motion that it gives the punch.
+pub(super) fn no_force(case: &Case) -> Option<Finding> {
+    case.press.drive.as_ref().filter(|drive| drive.pace.is_none() && case.press.force.is_none())?;
+    let text = "[press.drive] has no force to permit and no motion: it changes nothing";
+    let warning =
+        Finding::warning("press_drive", "Press drive", text).limit("a force beside it").source("the case's [press]");
+    Some(warning.advice("give the nominal force, [press] force, or its strokes_per_minute, or drop it"))
 }
 
 pub(super) fn force(run: &Run) -> Option<Finding> {
@@ -131,6 +215,7 @@ pub(super) fn force(run: &Run) -> Option<Finding> {
     let text = run.of_stage(joined([at, parts], ": "), load.stage);
     let finding = rated(Finding::judged("press_force", "Press force", text), amount(load.force()), permitted);
     Some(match permitted.filter(|_| press.drive.is_some()) {
+        _ if load.squeezes => finding.light(Light::Grey).limit("none while the tools squeeze the sheet").advice(""),
         Some(force) => finding.limit(format!("{} there, by the torque of the drive", with_tonnes(amount(force)))),
         None => finding,
     })

@@ -137,18 +137,17 @@ pub(super) fn line_end(model: &Model, tool: &Tool) -> Option<Finding> {
         Role::Die => (1.0, "its shoulder and its wall"),
         _ => return None,
     };
-    let face = tool.profile.extreme(tool.role == Role::Punch, model.blank.ends())?.y;
+    let (name, face) = (tool.role.name(), tool.profile.extreme(tool.role == Role::Punch, model.blank.ends())?.y);
     // The sheet lies left of the line: its last end is the one that is passed.
     let (at, away) = tool.profile.ends()[1]?;
     let depth = behind * (at.y - face);
-    if at.x >= model.blank.length || depth >= model.travel || away.y.abs() >= UPRIGHT {
+    if model.blank.is_open() || at.x >= model.blank.length || depth >= model.travel || away.y.abs() >= UPRIGHT {
         return None;
     }
     let [r, z, travel, to] = [at.x, at.y, model.travel, face + behind * model.travel].map(Amount::size);
     let text = format!(
-        "the {}'s line ends at r = {r}, z = {z} (as placed, z = 0 is the flat sheet's middle), {{}} of the {travel} of travel \
-         behind its face: the sheet bends over the end as over a sharp edge",
-        tool.role.name()
+        "the {name}'s line ends at r = {r}, z = {z} (as placed, z = 0 is the flat sheet's middle), {{}} of the {travel} of travel \
+         behind its face: the sheet bends over the end as over a sharp edge"
     );
     let warning = Finding::warning("line_end", "End of a tool", text).number(Amount::size(depth));
     let warning = warning.at_least(model.travel, None).source("a tool acts only where it is drawn");

@@ -131,10 +131,9 @@ impl Tear<'_> {
     pub fn sentence(&self, stages: usize) -> String {
         let place = self.s0.map_or_else(String::new, |s0| on_part(self.on, s0));
         let stage = if stages > 1 { format!("in stage {}", self.stage + 1) } else { String::new() };
-        let [travel, whole] = [self.instant[1], self.on.model.travel].map(Amount::place);
-        let instant =
-            if self.on.model.travel > 0.0 { format!("after {travel} of {whole} of travel") } else { String::new() };
-        joined([joined([format!("it {}", self.verb), place], " "), stage, instant], ", ")
+        let [travel, all] = [self.instant[1], self.on.model.travel].map(Amount::place);
+        let at = if self.on.model.travel > 0.0 { format!("after {travel} of {all} of travel") } else { String::new() };
+        joined([joined([format!("it {}", self.verb), place], " "), stage, at], ", ")
     }
 }
 

@@ -6,7 +6,7 @@ use crate::geometry::Point;
 use crate::measure::thickest;
 use crate::model::{Friction, tool_sizes::apart};
 use crate::numerics::bisect;
-use crate::rules::{IRONING_LIMIT, SIZED};
+use crate::rules::{IRONING_LIMIT, SIZED, strip_clearance};
 use crate::solver::solution::NodeRecord;
 
 /// Coefficient of dry steel on steel \[–\].
@@ -19,7 +19,7 @@ const LOOKS: usize = 16;
 /// Gap over the thickness above which a wall is neither straight nor to size, declared \[–\].
 const WIDE: f64 = 1.5;
 /// Reduction of the thickness above which a wall counts as ironed \[–\].
-const IRONED: f64 = 0.01;
+pub(super) const IRONED: f64 = 0.01;
 /// Reduction of the thickness up to which a draw sizes its wall, declared: less than half of [`IRONING_LIMIT`] \[–\].
 const LIGHTLY: f64 = 0.15;
 /// Reduction up to which a ring irons the wall, declared: well within [`IRONING_LIMIT`] \[–\].
@@ -99,7 +99,8 @@ pub(super) fn clearance(run: &Run) -> Option<Finding> {
             travel = moved(Role::Punch) - moved(Role::Die);
         }
         let gap = estimate::clearance(model, travel)? / blank.thickness;
-        if gap < LEAST && estimate::has_land(model) {
+        // A hole's wall is thinner than its sheet: a narrow gap irons it to size.
+        if gap < LEAST && (estimate::has_land(model) || blank.has_hole()) {
             return None;
         }
         // A straight wall begins where nose and shoulder have passed each other.
@@ -115,8 +116,9 @@ pub(super) fn clearance(run: &Run) -> Option<Finding> {
         let judged = judged.source("a sheet that does not thin is ironed in less; 1.5 t: declared");
         let limit = if upright { format!("; {WIDE} t at most beside a straight wall") } else { String::new() };
         let judged = if gap > LEAST { judged.at_most(wide, None) } else { judged.light(Light::Amber) };
-        let throat = Amount::size(2.0 * (SIZED * blank.thickness + extent(stage.model.tool(Role::Punch)?).1));
-        let advice = format!("a gap of {SIZED} t, throat {throat} wide: `--clearance {SIZED}t` of `stampflow new`");
+        let sized = if blank.has_hole() { 1.0 } else { worded(model.geometry, SIZED, strip_clearance(1.0).value) };
+        let throat = Amount::size(2.0 * (sized * blank.thickness + extent(stage.model.tool(Role::Punch)?).1));
+        let advice = format!("a gap of {sized} t, throat {throat} wide: `--clearance {sized}t` of `stampflow new`");
         Some(judged.limit(format!("1 t at least{limit}")).advice(advice))
     };
     let new = run.stages.iter().enumerate().filter(|(i, stage)| *i == 0 || stage.model.release.is_none());

@@ -57,9 +57,8 @@ pub fn is_curve(path: &Path) -> bool {
 }
 
 fn references(args: &Args, path: &Path) -> Result<Code> {
-    let unreadable = |error| bad_request(format!("cannot read the folder {}: {error}", path.display()));
-    let files =
-        if path.is_dir() { stampflow::grade::toml_files(path).map_err(unreadable)? } else { vec![path.to_owned()] };
+    let wrong = |error| bad_request(format!("cannot read the folder {}: {error}", path.display()));
+    let files = if path.is_dir() { stampflow::grade::toml_files(path).map_err(wrong)? } else { vec![path.to_owned()] };
     let (mut cases, mut failed) = args.options.common.load_all(&files);
     cases.retain(|case| !case.compare.is_empty());
     let what = format!("no case in {} has a [[compare]] table", path.display());

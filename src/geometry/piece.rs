@@ -131,6 +131,11 @@ impl Piece {
         }
     }
 
+    /// Arc of a hollow of the tool, with the sheet inside its circle.
+    pub fn hollow(&self) -> Option<Arc> {
+        if let Self::Arc(arc) = self { Some(*arc).filter(|arc| arc.sweep > 0.0) } else { None }
+    }
+
     /// Length along the piece \[mm\].
     pub fn length(&self) -> f64 {
         match self {

@@ -82,10 +82,8 @@ impl Profile {
     /// [`Self::distance_to`] with arcs sampled every `step` \[rad\] and lines in `parts`.
     pub fn distance_by(&self, other: &Self, shift: Point, step: f64, parts: usize) -> (f64, Point) {
         let points = |of: &Self| -> Vec<Point> {
-            let along = |piece: &Piece| match piece {
-                Piece::Segment(_) => piece.sample(parts),
-                Piece::Arc(_) => piece.polyline(step),
-            };
+            let is_line = |piece: &Piece| matches!(piece, Piece::Segment(_));
+            let along = |piece: &Piece| if is_line(piece) { piece.sample(parts) } else { piece.polyline(step) };
             of.pieces.iter().flat_map(along).collect()
         };
         let mine = points(self).into_iter().map(|p| (other.closest(p + shift).distance, p + shift));

@@ -51,8 +51,7 @@ impl Frame {
         if options.unit.is_some() || (*WIDTHS.start()..=most).contains(&width) {
             return Ok(());
         }
-        let fits =
-            LIKELY.iter().map(|unit| (unit.0, width / self.unit.1 * unit.1)).filter(|(_, mm)| WIDTHS.contains(mm));
+        let fits = LIKELY.iter().map(|own| (own.0, width / self.unit.1 * own.1)).filter(|(_, mm)| WIDTHS.contains(mm));
         let fits = fits.map(|(unit, mm)| format!("try --unit {unit}, {} mm wide", significant(mm, 3)));
         let (mm, unit) = (significant(width, 3), self.unit.0);
         let what = format!("no stamping is {mm} mm wide, as the tools are if 1 drawing unit is 1 {unit}");

@@ -170,9 +170,8 @@ pub fn read(bytes: &[u8], options: &Options) -> Result<Sections> {
     strokes.retain(|(_, drawn)| !drawn.is_empty());
     let help = "say which is which, for example --layer NAME=punch --layer OTHER=die; layers whose names hold punch, die or \
                 holder are found by themselves, in German and French too";
-    let empty =
-        || ImportError::new(format!("no line, arc, polyline or spline is on a tool's layer: there are {all}"), help);
-    ensure(!strokes.is_empty(), empty)?;
+    let what = format!("no line, arc, polyline or spline is on a tool's layer: there are {all}");
+    ensure(!strokes.is_empty(), || ImportError::new(what, help))?;
     options.axis.map_or_else(|| axis::check(&strokes, &frame), |_| Ok(()))?;
     let pieces = strokes.iter().flat_map(|(_, strokes)| strokes).flat_map(|stroke| stroke.pieces());
     frame.check_unit(options, 2.0 * pieces.map(|piece| piece.last().x.abs()).fold(0.0, f64::max))?;

@@ -89,8 +89,7 @@ impl Pen<'_> {
             "LINE" => self.polyline(&self.points(1.0, &[entity.point(10), entity.point(11)])?, &[0.0]),
             "ARC" => Ok(vec![self.arc()?]),
             "SPLINE" => {
-                let control =
-                    self.points(1.0, &entity.vertices().iter().map(|vertex| vertex.at).collect::<Vec<_>>())?;
+                let control = self.points(1.0, &entity.vertices().iter().map(|v| v.at).collect::<Vec<_>>())?;
                 spline::pieces(entity, &control, self.frame.tolerance).map_err(|what| self.error(what))
             }
             _ => self.vertices(),

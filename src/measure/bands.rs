@@ -41,6 +41,7 @@ named! {
     HolderRadius: "holder radius", "Bend over the edge of a holder within the part.";
     Flange: "flange", "Sheet between holder and die, or flat outside the die radius.";
     Tool: "tool", "Sheet on a further tool alone.";
+    HoleEdge: "hole's edge", "First element of a flat sheet with a hole.";
 }
 
 /// Extent of a band.
@@ -73,7 +74,7 @@ impl std::fmt::Display for PartPlace {
         let preposition = match self.band {
             Band::Boss | Band::Dome | Band::PunchRadius | Band::DieRadius | Band::HolderRadius => "on",
             Band::Bottom | Band::Wall | Band::Unsupported | Band::DieCorner | Band::Flange => "in",
-            Band::Tool => "at",
+            Band::Tool | Band::HoleEdge => "at",
         };
         write!(f, "{preposition} the {}", self.name)?;
         self.next_to.as_ref().map_or(Ok(()), |other| write!(f, ", next to the {other}"))
@@ -123,6 +124,10 @@ pub fn place_on_part(stage: &StageSolution, s0: f64) -> Option<PartPlace> {
     let middle = 0.5 * (along[element] + along[element + 1]);
     let mut bands = bands(stage);
     let i = bands.iter().position(|stretch| stretch.elements.contains(&element))?;
+    let blank = &stage.model.blank;
+    if element == 0 && blank.has_hole() && !blank.is_open() {
+        return Some(PartPlace { band: Band::HoleEdge, name: Band::HoleEdge.name().into(), next_to: None });
+    }
     let near = NEXT_TO * stage.model.blank.thickness;
     let [from, to] = bands[i].along;
     let inner = i.checked_sub(1).map(|inner| (middle - from, &bands[inner].name));
@@ -230,6 +235,7 @@ fn between(geometry: Geometry, node: Point, inner: Option<&NodeContact>, outer: 
 
 fn of_piece(geometry: Geometry, tool: &Tool, piece: usize, at: Point) -> Band {
     let (role, profile) = (tool.role, &tool.profile);
+    let is_outer = || role == Role::Punch && is_beyond_hollow(profile, piece);
     match &profile.pieces()[piece] {
         _ if role.further().is_some() => Band::Tool,
         Piece::Arc(arc) if arc.sweep < 0.0 => match role {
@@ -239,6 +245,7 @@ fn of_piece(geometry: Geometry, tool: &Tool, piece: usize, at: Point) -> Band {
             _ => Band::Bottom,
         },
         Piece::Arc(_) if role == Role::Die => Band::DieCorner,
+        Piece::Arc(_) if is_outer() => Band::DieRadius,
         piece => {
             let tangent = piece.tangent(false) + piece.tangent(true);
             let is_level = tangent.y.abs() < LEVEL.tan() * tangent.x.abs();
@@ -247,10 +254,18 @@ fn of_piece(geometry: Geometry, tool: &Tool, piece: usize, at: Point) -> Band {
                 _ if !is_level => Band::Wall,
                 Role::Die if at.x >= edge() || !edge().is_finite() => Band::Flange,
                 Role::Holder => Band::Flange,
+                _ if is_outer() => Band::Flange,
                 _ => Band::Bottom,
             }
         }
     }
+}
+
+/// True of a punch's last hollow, which bends the flange out, and of what lies outside it.
+fn is_beyond_hollow(profile: &Profile, piece: usize) -> bool {
+    let (inside, outside) = profile.pieces().split_at(piece + 1);
+    let is_corner = |piece: &Piece| matches!(piece, Piece::Arc(_)) && piece.hollow().is_none();
+    inside.iter().any(|piece| piece.hollow().is_some()) && !outside.iter().any(is_corner)
 }
 
 /// Band on a convex arc of a punch: its edge, or the end of a round or crowned punch.

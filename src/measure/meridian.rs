@@ -121,10 +121,8 @@ impl Meridian {
             for (nodes, sense) in stretches {
                 let curl = outer.map_or(0.0, |bend| bend.sense * self.mean_curvature(&nodes) / bend.curvature).max(0.0);
                 let flat = FLAT + (1.0 - FLAT) * curl;
-                let end = match outer {
-                    Some(bend) => nodes.clone().rfind(|i| turned(*i, bend, flat) < 0.0).map_or(nodes.start, |i| i + 1),
-                    None => nodes.end,
-                };
+                let behind = |bend| nodes.clone().rfind(|i| turned(*i, bend, flat) < 0.0);
+                let end = outer.map_or(nodes.end, |bend| behind(bend).map_or(nodes.start, |i| i + 1));
                 let start = self.crossing(nodes.start.saturating_sub(1), nodes.start, |i| turned(i, inner, FLAT));
                 let end = outer.map_or(self.along[end - 1], |b| self.crossing(end, end - 1, |i| turned(i, b, flat)));
                 legs.extend(self.leg([start, end], sense));

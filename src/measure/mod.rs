@@ -158,10 +158,8 @@ pub fn part_height(frame: &Frame) -> Option<f64> {
     let faces = nodes.iter().enumerate().map(|(i, node)| {
         let after = nodes[(i + 1).min(nodes.len() - 1)];
         // The middle lies level.
-        let before = match i {
-            0 if node.r == 0.0 => NodeRecord { r: -after.r, ..after },
-            i => nodes[i.saturating_sub(1)],
-        };
+        let is_middle = i == 0 && node.r == 0.0;
+        let before = if is_middle { NodeRecord { r: -after.r, ..after } } else { nodes[i.saturating_sub(1)] };
         let (along, rise) = (after.r - before.r, after.z - before.z);
         let half = 0.5 * node.thickness * along.abs() / along.hypot(rise);
         [node.z - half, node.z + half]

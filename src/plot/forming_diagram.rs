@@ -91,8 +91,7 @@ fn diagram(view: &StageView, assessment: &Assessment, limit: &Curve) -> Panel {
     let label = format!("{nearest}, s0 = {}", Amount::place(elements[worst].s0));
     series.push(Series::new(label, end, Style::Circles { color: color(1) }));
     let measure = if view.pictures.engineering_strain { "engineering" } else { "true" };
-    let [x, y] =
-        ["Minor", "Major"].map(|which| Axis::named(format!("{which} {measure} strain, mid-surface"), Unit::None));
+    let [x, y] = ["Minor", "Major"].map(|of| Axis::named(format!("{of} {measure} strain, mid-surface"), Unit::None));
     Panel::new(x, y, Scale::Window { height: HEIGHT, x: (left, right), y: (least, top) }).with(series)
 }
 

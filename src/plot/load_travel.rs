@@ -4,9 +4,7 @@ use super::*;
 use crate::measure;
 use crate::model::Edge;
 use crate::plot::axis::capitalised;
-use crate::plot::fields::step::{
-    EDGE_FORCE, HOLDER_FORCE, PAD_FORCE, POLE_HEIGHT, PRESSURE, PUNCH_FORCE, TIME, TRAVEL,
-};
+use crate::plot::fields::step::*;
 
 const NEAR: f64 = 2.0;
 const FEED_FORCE: &str = "Feed force on the tube's wall";
@@ -30,9 +28,8 @@ pub(crate) fn plot(view: &StageView) -> Option<Chart> {
             if let Some((press, rating)) = view.case.and_then(|case| Some((&case.press, case.press.force?))) {
                 let of = if press.drive.is_some() { "Permitted by the drive, nominal force" } else { "Press rating," };
                 let label = format!("{of} {}", Amount::given_force(rating, unit));
-                let permitted =
-                    |step: &StepRecord| press.permitted(view.model().travel - step.travel).unwrap_or(rating);
-                let line = steps.iter().map(|step| (step.travel, permitted(step)));
+                let most = |step: &StepRecord| press.permitted(view.model().travel - step.travel).unwrap_or(rating);
+                let line = steps.iter().map(|step| (step.travel, most(step)));
                 let line: Vec<_> = line.filter(|(_, force)| *force <= NEAR * largest).collect();
                 if !line.is_empty() {
                     panel = panel.with([Series::new(label, line, RATING)]);

@@ -58,9 +58,7 @@ impl Style {
 
     /// Thin pale line of the same colour and dashes, for the background.
     pub fn faint(self) -> Self {
-        match self {
-            Self::Line { color, dash, .. } => Self::Line { color: pale(color), width: 1.2, dash },
-            other => other,
-        }
+        let Self::Line { color, dash, .. } = self else { return self };
+        Self::Line { color: pale(color), width: 1.2, dash }
     }
 }

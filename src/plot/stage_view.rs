@@ -179,8 +179,6 @@ pub(super) fn spread<T>(items: &[T], most: usize) -> Vec<&T> {
 }
 
 pub(crate) fn stop_text(stage: &StageSolution) -> &'static str {
-    match stage.stop.kind {
-        StopKind::FullTravel if stage.model.travel == 0.0 => "full time",
-        kind => kind.name(),
-    }
+    let is_timed = stage.stop.kind == StopKind::FullTravel && stage.model.travel == 0.0;
+    if is_timed { "full time" } else { stage.stop.kind.name() }
 }

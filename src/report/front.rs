@@ -56,8 +56,7 @@ fn issue_of(issue: &Finding) -> Markup {
 
 pub(super) fn pictures(report: &Report) -> impl Iterator<Item = FrontPicture> {
     let part = report.stages.len().checked_sub(1).and_then(|stage| {
-        let (file, (chart, about)) =
-            PARTS.iter().find_map(|file| Some((*file, plot(&report.stages[stage].0, file)?)))?;
+        let (file, (chart, about)) = PARTS.iter().find_map(|f| Some((*f, plot(&report.stages[stage].0, f)?)))?;
         Some(picture(report, stage, file, chart, about))
     });
     let torn = report.stages.iter().position(|(view, _)| tears_at(view.stage).is_some());
@@ -90,12 +89,7 @@ fn forces(report: &Report, stage: usize) -> Option<FrontPicture> {
 fn heaviest(report: &Report) -> Option<usize> {
     let peak = |i: usize, load: fn(&StepRecord) -> f64| bounds(report.stages[i].0.stage.steps.iter().map(load)).1;
     let forming = (0..report.stages.len()).filter(|i| report.stages[*i].0.model().release.is_none());
-    let loads = forming.map(|i| {
-        (
-            i,
-            report.stages[i].0.stage.working_force().into_iter().fold(0.0, f64::max),
-            peak(i, |step| step.pressure.abs()),
-        )
-    });
+    let force = |i: usize| report.stages[i].0.stage.working_force().into_iter().fold(0.0, f64::max);
+    let loads = forming.map(|i| (i, force(i), peak(i, |step| step.pressure.abs())));
     loads.max_by(|a, b| a.1.total_cmp(&b.1).then(a.2.total_cmp(&b.2))).map(|(i, ..)| i)
 }

@@ -20,9 +20,8 @@ pub fn dimensions(model: &Model, start: Option<&Frame>) -> Vec<Dimension> {
         let at = |share: f64| Point::new(blank.node(share * blank.length)[0], blank.node(share * blank.length)[1]);
         found.push(wide(model, "Blank", Amount::set, at(1.0)));
         found.push(plain("Thickness", Amount::size(blank.thickness), at(0.8)));
-        found.extend(
-            blank.meridian.as_ref().map(|_| plain("Length along the sheet", Amount::set(blank.length), at(0.5))),
-        );
+        let length = || plain("Length along the sheet", Amount::set(blank.length), at(0.5));
+        found.extend(blank.meridian.as_ref().map(|_| length()));
     }
     for (i, tool) in model.tools.iter().enumerate() {
         let moved = start.and_then(|frame| frame.tool_displacement.get(i)).copied().unwrap_or_default();
@@ -75,10 +74,7 @@ fn wide(model: &Model, of: &str, amount: fn(f64) -> Amount, at: Point) -> Dimens
 /// The radii of a tool, those that are alike together; of a curve of many arcs the smallest.
 fn roundings(tool: &Tool, moved: Point, name: &str) -> Vec<Dimension> {
     // Arcs that are one rounding of the sheet's side come together, hollows as they are.
-    let hollows = tool.profile.pieces().iter().filter_map(|piece| match piece {
-        Piece::Arc(arc) if arc.sweep > 0.0 => Some(*arc),
-        _ => None,
-    });
+    let hollows = tool.profile.pieces().iter().filter_map(Piece::hollow);
     let mut found: Vec<(String, usize, Arc)> = Vec::new();
     for arc in tool.profile.corners().chain(hollows) {
         let name = format!("{name}{}", place(tool.role, &arc));
@@ -122,11 +118,8 @@ fn load(model: &Model, tool: &Tool, moved: Point, name: &str) -> Option<Dimensio
         Motion::Pressed(press) => ("force", Amount::given_force(press.force.largest(), model.extent().force_unit())),
         Motion::Fixed | Motion::Travel | Motion::Path(_) | Motion::Course(_) => return None,
     };
-    Some(plain(
-        &format!("{name} {of}"),
-        amount,
-        Point::new(middle, 0.5 * tool.role.side() * model.blank.thickness) + moved,
-    ))
+    let at = Point::new(middle, 0.5 * tool.role.side() * model.blank.thickness) + moved;
+    Some(plain(&format!("{name} {of}"), amount, at))
 }
 
 pub(super) fn section(heading: String, model: &Model, start: Option<&Frame>, dimensions: &[Dimension]) -> Section {

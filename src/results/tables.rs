@@ -145,8 +145,7 @@ pub(super) fn element_fields(model: &Model) -> Vec<Field<ElementRecord>> {
 /// Shape, thickness, strains and stresses: one row per frame and element, from the axis outward.
 pub fn profile(model: &Model, frames: &[Frame]) -> Table {
     let travel = frames.iter().flat_map(|f| std::iter::repeat_n(f.travel, f.elements.len())).collect();
-    let column =
-        |field: Field<ElementRecord>| field.column(model.extent(), frames.iter().flat_map(|frame| &frame.elements));
+    let column = |field: Field<ElementRecord>| field.column(model.extent(), frames.iter().flat_map(|f| &f.elements));
     let columns = [S0, R, Z].into_iter().chain(element_fields(model)).map(column);
     Table::new(std::iter::once(TRAVEL.filled(model.extent(), travel)).chain(columns).collect())
 }

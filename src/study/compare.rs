@@ -174,8 +174,7 @@ impl SideBySide {
         let rows = self.table().rows;
         let rows = rows.chunk_by(|a, b| a[0].to_string() == b[0].to_string()).map(|of_quantity| {
             let own = |member: &Member| of_quantity.iter().rfind(|cells| cells[1].to_string() == member.mark);
-            let values =
-                self.members.iter().map(|member| own(member).map_or("–".into(), |cells| shown(cells).into()));
+            let values = self.members.iter().map(|one| own(one).map_or("–".into(), |cells| shown(cells).into()));
             [of_quantity[0][0].clone()].into_iter().chain(values).collect::<Vec<_>>()
         });
         ReportTable::new("overview", &["Quantity"].into_iter().chain(marks).collect::<Vec<_>>(), rows)

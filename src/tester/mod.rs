@@ -11,22 +11,10 @@ const NAMES: [(&str, &[&str]); 7] = [
     ("engineering_stress", &["spannung", "contrainte", "stress"]),
     ("engineering_strain", &["dehnung", "formation", "strain"]),
     ("crosshead", &["traverse", "crosshead"]),
-    (
-        "elongation",
-        &["weg", "änderung", "verlängerung", "formung", "allongement", "placement", "elongation", "extension"],
-    ),
+    ("elongation", &["weg", "änderung", "längerung", "formung", "longement", "placement", "longation", "extension"]),
 ];
-const UNITS: [(&str, &str); 9] = [
-    ("%", "percent"),
-    ("n/mm²", "MPa"),
-    ("n/mm2", "MPa"),
-    ("n/mm^2", "MPa"),
-    ("mpa", "MPa"),
-    ("gpa", "GPa"),
-    ("kn", "kN"),
-    ("n", "N"),
-    ("mm", "mm"),
-];
+/// Spellings in lower case, each with its unit.
+const UNITS: &str = "% percent, n/mm² MPa, n/mm2 MPa, n/mm^2 MPa, mpa MPa, gpa GPa, kn kN, n N, mm mm";
 
 /// Text of a file in UTF-8 or Windows-1252, whose letters beyond ASCII are those of Unicode's first 256.
 pub fn text(bytes: Vec<u8>) -> String {
@@ -43,8 +31,7 @@ fn export(text: &str) -> Option<Csv> {
     let delimiter = *[b';', b'\t', b','].iter().find(|one| text.as_bytes().contains(one))?;
     let mut reader = csv::ReaderBuilder::new();
     reader.delimiter(delimiter).trim(csv::Trim::All).flexible(true).has_headers(false);
-    let records: Vec<StringRecord> =
-        reader.from_reader(text.as_bytes()).into_records().collect::<Result<_, _>>().ok()?;
+    let lines: Vec<StringRecord> = reader.from_reader(text.as_bytes()).into_records().collect::<Result<_, _>>().ok()?;
     let point = |cell: &str| match delimiter {
         b',' => cell.to_owned(),
         _ if cell.contains(',') => cell.replace(['.', ' ', '\u{a0}'], "").replace(',', "."),
@@ -53,11 +40,11 @@ fn export(text: &str) -> Option<Csv> {
     let is_row = |row: &StringRecord| {
         row.len() > 1 && row.iter().all(|cell| cell.is_empty() || point(cell).parse::<f64>().is_ok())
     };
-    let first = records.windows(2).position(|pair| pair.iter().all(is_row))?;
-    let units = records.get(first.checked_sub(1)?)?;
+    let first = lines.windows(2).position(|pair| pair.iter().all(is_row))?;
+    let units = lines.get(first.checked_sub(1)?)?;
     let has_units =
         units.iter().filter(|cell| unit(cell).is_some()).count() > 1 && !units.iter().any(|cell| kind(cell).is_some());
-    let names = if has_units { records.get(first.checked_sub(2)?)? } else { units };
+    let names = if has_units { lines.get(first.checked_sub(2)?)? } else { units };
     let kinds: Vec<Option<&str>> = names.iter().map(kind).collect();
     let header = names.iter().zip(&kinds).enumerate().map(|(i, (name, kind))| {
         let unit = if has_units { unit(units.get(i).unwrap_or("")) } else { unit(name) };
@@ -72,7 +59,7 @@ fn export(text: &str) -> Option<Csv> {
     });
     let line = |row: &StringRecord| row.position().map_or(1, |position| position.line() as usize);
     let header = Record { line: line(names), fields: header.collect() };
-    let rows = records[first..].iter().map(|row| Record { line: line(row), fields: row.iter().map(point).collect() });
+    let rows = lines[first..].iter().map(|row| Record { line: line(row), fields: row.iter().map(point).collect() });
     Some(Csv { header, rows: rows.collect() })
 }
 
@@ -91,5 +78,5 @@ fn kind(name: &str) -> Option<&'static str> {
 fn unit(cell: &str) -> Option<&'static str> {
     let words = cell.to_lowercase();
     let last = words.split(|c: char| c.is_whitespace() || "[]()_,".contains(c)).rfind(|word| !word.is_empty())?;
-    UNITS.iter().find(|(spelling, _)| *spelling == last).map(|(_, unit)| *unit)
+    UNITS.split(", ").filter_map(|unit| unit.split_once(' ')).find(|(own, _)| *own == last).map(|(_, unit)| unit)
 }

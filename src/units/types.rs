@@ -236,10 +236,8 @@ impl<Q: Dimensioned> Visitor<'_> for Written<Q> {
     fn visit_f64<E: de::Error>(self, value: f64) -> Result<Q, E> {
         let found = format!("{value:?}");
         let found = found.strip_suffix(".0").unwrap_or(&found);
-        match Q::KIND.unit {
-            "" => Q::checked(value, found).map_err(E::custom),
-            _ => Err(E::custom(Q::KIND.missing_unit(found))),
-        }
+        let missing = || Err(E::custom(Q::KIND.missing_unit(found)));
+        if Q::KIND.unit.is_empty() { Q::checked(value, found).map_err(E::custom) } else { missing() }
     }
 }
 

@@ -5,7 +5,7 @@ use crate::assess::estimate;
 use crate::contact::friction::Friction;
 use crate::geometry::Piece;
 use crate::model::tool_sizes::{embosses, extent, mouth, throat, widens};
-use crate::model::{Bead, Face, Gas, Geometry, Mode, Model, Motion, Pressure, Role, Tool, stage::Stage};
+use crate::model::{Bead, Edge, Face, Gas, Geometry, Mode, Model, Motion, Pressure, Role, Tool, stage::Stage};
 use crate::rules::Metal;
 use crate::units::{Amount, Digits, Unit, joined};
 
@@ -33,19 +33,21 @@ pub(super) fn lines(model: &Model) -> Vec<Line> {
 pub fn of_tool(model: &Model, tool: &Tool) -> Line {
     let ((low, high), side) = (extent(tool), if tool.role.side() > 0.0 { "above" } else { "below" });
     let closed = tool.role == Role::Die && throat(tool).is_none();
+    let range = || {
+        let ends = [low, high].map(|half| (half > 0.0).then(|| size_of(model, half, Amount::drawn)));
+        joined(ends.into_iter().flatten(), " to ")
+    };
     let (size, of) = match tool.role {
+        Role::Punch | Role::Die if model.blank.is_open() => (range(), "across"),
         Role::Die if closed => ("closed".into(), "by a bottom that reaches the axis"),
         Role::Die => (size_of(model, low, Amount::drawn), "of the throat"),
         Role::Holder => (size_of(model, low, Amount::drawn), "of the inner edge"),
         Role::Punch if embosses(model) => (size_of(model, high, Amount::drawn), "over all"),
-        Role::Upper(_) | Role::Lower(_) => {
-            let [low, high] = [low, high].map(|half| (half > 0.0).then(|| size_of(model, half, Amount::drawn)));
-            (joined([low, high].into_iter().flatten(), " to "), side)
-        }
+        Role::Upper(_) | Role::Lower(_) => (range(), side),
         _ => (size_of(model, high, Amount::drawn), "to the wall"),
     };
     let of = if model.geometry == Geometry::PlaneStrain && !closed { format!("half-width {of}") } else { of.into() };
-    let widens = tool.role == Role::Punch && widens(tool, model.travel);
+    let widens = tool.role == Role::Punch && !model.blank.is_open() && widens(tool, model.travel);
     let mouth = widens.then(|| size_of(model, mouth(tool, model.travel), Amount::drawn));
     let mouth = mouth.map_or_else(String::new, |mouth| format!("{mouth} at the sheet at the full travel"));
     let friction = match &tool.friction {
@@ -107,6 +109,7 @@ pub(super) fn holder(model: &Model) -> Vec<Line> {
     let [least, most] = [press.force.smallest(), press.force.largest()].map(force);
     let text = if least == most { most.to_string() } else { format!("{least} to {most}") };
     let meaning = match press.stiffness {
+        _ if model.blank.edge == Edge::Clamped => "of no effect on the edge, which is clamped".into(),
         0.0 if least == most => String::new(),
         0.0 => "over the travel".into(),
         stiffness => format!("on the flat sheet, and {} more per mm that it is lifted", force(stiffness)),
@@ -161,7 +164,8 @@ fn drive(model: &Model, tool: &Tool) -> String {
         Motion::Course(course) => format!("goes {} by its path", Amount::size(course.at(model.travel))),
         Motion::Pressed(press) => {
             let force = Amount::given_force(press.force.at(model.travel), model.extent().force_unit());
-            format!("presses with {force} at the end")
+            let is_constant = press.stiffness == 0.0 && press.force.smallest() == press.force.largest();
+            format!("presses with {force}{}", if is_constant { "" } else { " at the end" })
         }
         Motion::Fixed | Motion::Gap(_) => "stands".into(),
     }

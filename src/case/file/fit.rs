@@ -54,14 +54,14 @@ pub fn check(model: &Model, source: &Source) -> Result<()> {
     }
     let Some(holder) = model.tool(Role::Holder) else { return Ok(()) };
     let inner = extent(holder).0;
-    let inner_key =
+    let own_key =
         key("holder", if model.geometry == Geometry::Axisymmetric { "inner_radius" } else { "inner_half_width" });
     if let Some(throat) = throat.filter(|throat| inner < throat * (1.0 - ROUNDED)) {
         let what = format!("the holder reaches into the die's throat: inner edge {inner:.3} mm, throat {throat:.3} mm");
-        return Err(source.error(&inner_key, what, format!("at least {throat:.3} mm")));
+        return Err(source.error(&own_key, what, format!("at least {throat:.3} mm")));
     }
     let what = format!("the holder begins at {inner:.3} mm, beyond the blank's edge at {length} mm");
-    source.require(inner < length, &inner_key, what, "make it smaller, or drop it")
+    source.require(inner < length, &own_key, what, "make it smaller, or drop it")
 }
 
 fn clearance(model: &Model, [punch, die]: [&Tool; 2], throat: (f64, &str), source: &Source) -> Result<()> {

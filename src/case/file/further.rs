@@ -124,11 +124,8 @@ impl Further {
     /// Drive, or rest without one.
     pub fn motion(&self, table: &str, context: &ToolContext) -> Result<Motion> {
         let ToolContext { extent, source, .. } = *context;
-        source.one_of(
-            table,
-            &["with_punch", "path", "move", "force", "spring", "gas_spring"],
-            "a tool has one drive",
-        )?;
+        let drives = ["with_punch", "path", "move", "force", "spring", "gas_spring"];
+        source.one_of(table, &drives, "a tool has one drive")?;
         if let Some(path) = &self.path {
             let points = path.iter().map(|(travel, z)| (travel.value(), z.value())).collect();
             let what =

@@ -95,13 +95,7 @@ untagged!(
 impl Section {
     /// Chain as it is drawn, of a tool or a sheet with this name.
     pub fn drawn(&self, path: &str, of: (&str, Geometry), source: &Source) -> Result<Profile> {
-        match self {
-            Self::Steps(list) => steps(list, path, source),
-            Self::Table(SectionTable { file: None, .. }) => {
-                Err(source.error(path, "a sheet follows no tool", "write steps, or the name of a file"))
-            }
-            _ => Ok(self.read(path, Role::Lower(0), of, source)?.0),
-        }
+        Ok(self.read(path, Role::Lower(0), of, source)?.0)
     }
 
     pub fn placed(&self, role: Role, context: &ToolContext) -> Result<Profile> {
@@ -111,22 +105,21 @@ impl Section {
         };
         let counter = |of| Counter { role, of, path: path.clone(), context };
         let (profile, origin) = match self {
-            Self::Steps(list) => (steps(list, &path, source)?, Origin::Steps),
-            Self::File(_) | Self::Table(SectionTable { file: Some(_), .. }) => {
-                alone("file", &["offset_of", "by", "shoulder", "closed_at", "mirror_of"])?;
-                self.read(&path, role, (context.name(role), context.extent.geometry()), source)?
-            }
-            Self::Table(table @ SectionTable { offset_of: Some(of), .. }) => {
+            Self::Table(table @ SectionTable { file: None, offset_of: Some(of), .. }) => {
                 alone("offset_of", &["fillet", "layer", "mirror_of"])?;
                 return counter(*of).offset(table);
             }
-            Self::Table(SectionTable { mirror_of: Some(of), .. }) => {
+            Self::Table(SectionTable { file: None, mirror_of: Some(of), .. }) => {
                 alone("mirror_of", &["fillet", "layer", "by", "shoulder", "closed_at"])?;
                 return counter(*of).mirror();
             }
-            Self::Table(_) => {
+            Self::Table(SectionTable { file: None, .. }) => {
                 let help = "write { file = \"die.csv\" }, { offset_of = \"punch\", by = \"1.2 mm\" } or { mirror_of = \"die\" }";
                 return Err(source.error(&path, "the profile names neither a file nor a tool to make it from", help));
+            }
+            _ => {
+                alone("file", &["offset_of", "by", "shoulder", "closed_at", "mirror_of"])?;
+                self.read(&path, role, (context.name(role), context.extent.geometry()), source)?
             }
         };
         let drawn = Drawn { profile, path, origin };
@@ -136,11 +129,12 @@ impl Section {
 
     fn read(&self, path: &str, role: Role, of: (&str, Geometry), source: &Source) -> Result<(Profile, Origin)> {
         let (file, key, layer, fillet) = match self {
+            Self::Steps(list) => return Ok((steps(list, path, source)?, Origin::Steps)),
             Self::File(file) => (file, path.to_owned(), None, None),
             Self::Table(SectionTable { file: Some(file), layer, fillet, .. }) => {
                 (file, format!("{path}.file"), layer.as_deref(), fillet.map(Dimensioned::value))
             }
-            _ => return Err(source.missing(path, "file")),
+            _ => return Err(source.error(path, "a sheet follows no tool", "write steps, or the name of a file")),
         };
         let is_drawing = file.to_lowercase().ends_with(".dxf");
         let fits = if is_drawing { fillet.is_none() } else { layer.is_none() };

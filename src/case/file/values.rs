@@ -28,24 +28,11 @@ macro_rules! untagged {
                     fn expecting(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
                         f.write_str($expecting)
                     }
+                    $(fn visit_bool<E: serde::de::Error>(self, $switch: bool) -> Result<$type, E> { $of_switch })?
+                    $(fn visit_str<E: serde::de::Error>(self, $text: &str) -> Result<$type, E> { $of_text })?
                     $(
-                    fn visit_bool<E: serde::de::Error>(self, $switch: bool) -> Result<$type, E> {
-                        $of_switch
-                    }
-                    )?
-                    $(
-                    fn visit_str<E: serde::de::Error>(self, $text: &str) -> Result<$type, E> {
-                        $of_text
-                    }
-                    )?
-                    $(
-                    fn visit_i64<E: serde::de::Error>(self, number: i64) -> Result<$type, E> {
-                        self.visit_f64(number as f64)
-                    }
-
-                    fn visit_f64<E: serde::de::Error>(self, $number: f64) -> Result<$type, E> {
-                        $of_number
-                    }
+                    fn visit_i64<E: serde::de::Error>(self, n: i64) -> Result<$type, E> { self.visit_f64(n as f64) }
+                    fn visit_f64<E: serde::de::Error>(self, $number: f64) -> Result<$type, E> { $of_number }
                     )?
                     $(
                     fn visit_seq<A: serde::de::SeqAccess<'de>>(self, list: A) -> Result<$type, A::Error> {

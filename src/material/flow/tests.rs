@@ -74,8 +74,7 @@ fn primal_dual_matrix_is_newtons_at_the_stress_and_positive_semidefinite_along_a
     for ((name, hardening), criterion) in
         Hardening::examples().into_iter().flat_map(|law| criteria().map(|criterion| (law.clone(), criterion)))
     {
-        let [newton, dual] =
-            [Iteration::Newton, Iteration::PrimalDual].map(|matrix| flow(&hardening, criterion, matrix));
+        let [newton, dual] = [Iteration::Newton, Iteration::PrimalDual].map(|by| flow(&hardening, criterion, by));
         let mut iterate = Iterate::default();
         for u in INCREMENTS {
             let (stress, newton) = at(&newton, &mut Iterate::default(), &point, u);

@@ -108,11 +108,8 @@ impl Lines<'_> {
         let from =
             worded(model.geometry, "  at s0, initially from the axis", "  at s0, initially from the symmetry plane");
         self.number("thinnest", "Thinnest place", Amount::thickness(last.thinnest));
-        self.number(
-            "thinnest_over_initial",
-            "  over the initial thickness",
-            over_initial(last.thinnest, last.thinnest_s0),
-        );
+        let share = over_initial(last.thinnest, last.thinnest_s0);
+        self.number("thinnest_over_initial", "  over the initial thickness", share);
         self.number("thinnest_s0", from, Amount::place(last.thinnest_s0));
         if let Some((thickest, s0)) = end.and_then(thickest) {
             self.number("thickest", "Thickest place", Amount::thickness(thickest));
@@ -140,7 +137,8 @@ impl Lines<'_> {
                 self.number("forming_limit_s0", "    at s0, its initial distance", Amount::place(reached.s0));
             }
         }
-        self.number("draw_in", "Draw-in of the edge", Amount::draw_in(last.draw_in));
+        let label = if model.blank.edge == Edge::Free { "Draw-in of the edge" } else { "" };
+        self.number("draw_in", label, Amount::draw_in(last.draw_in));
     }
 
     fn condition(&mut self) {
@@ -268,10 +266,8 @@ fn as_begun(run: &StageSolution) -> StepRecord {
 
 fn mesh(model: &Model) -> String {
     let blank = &model.blank;
-    let theory = match blank.theory {
-        Theory::Membrane => "membrane".to_owned(),
-        Theory::Bending => format!("bending, {} layers", blank.layers),
-    };
+    let bending = || format!("bending, {} layers", blank.layers);
+    let theory = if blank.theory == Theory::Membrane { "membrane".to_owned() } else { bending() };
     let grading = if blank.grading == Grading::Uniform { "uniform" } else { "graded by the tools' radii" };
     format!("{} elements, {theory}, {grading}", blank.elements)
 }

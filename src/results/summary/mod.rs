@@ -6,7 +6,7 @@ use super::{StageView, stages, tables};
 use crate::assess::{Kind, check, draws, holder_lift, largest, sentences};
 use crate::case::{Solution, files::sha256};
 use crate::measure::{Change, Event, Shape, events, moment_error, part_height, thickest};
-use crate::model::{Extent, Grading, Mode, Model, Role, Theory};
+use crate::model::{Edge, Extent, Grading, Mode, Model, Role, Theory};
 use crate::plot::{axis::capitalised, stop_text};
 use crate::solver::solution::{StageSolution, StepRecord, StopKind};
 use crate::table::{JOULES, Unit, worded};

@@ -223,8 +223,7 @@ impl LawFit {
         }
         let what = format!("{} cannot be fitted to the points", kind.label());
         let no_fit = || StudyError::new(what, "do stresses rise with the strain?");
-        let ((hardening, rate), minimum) =
-            best.and_then(|best| Some((laws(&best.values)?, best))).ok_or_else(no_fit)?;
+        let ((hardening, rate), minimum) = best.and_then(|own| Some((laws(&own.values)?, own))).ok_or_else(no_fit)?;
         let bounds = parameters(minimum.values.clone());
         let estimates = estimates(ranges.iter().map(|range| (range.0, range.1)), &bounds, &minimum, is_weighted);
         // n ln(S/n) + 2k + 2k(k + 1)/(n − k − 1), k with the variance.
