@@ -281,7 +281,9 @@ fn rim(case: &Case, stage: &StageSolution) -> Option<Quantity> {
 
 fn ironed(stage: &StageSolution) -> Option<Quantity> {
     let most = stage.steps.iter().max_by(|a, b| a.ironing.total_cmp(&b.ironing))?;
-    let frame = stage.frames.last().filter(|_| most.ironing > tools::IRONED)?;
+    let gap = estimate::clearance(&stage.model, stage.model.travel)?;
+    let is_ironed = most.ironing > tools::IRONED && gap < stage.model.blank.thickness;
+    let frame = stage.frames.last().filter(|_| is_ironed)?;
     let wall = frame.elements[element_at(frame, most.ironing_s0)?].thickness;
     let about = format!("thick where it is ironed most{}", pressed(stage, wall));
     Some(Quantity::new("wall", "Wall", Amount::thickness(wall)).at(about))
