@@ -205,8 +205,9 @@ fn further(stages: &[StageSolution]) -> Option<Quantity> {
     };
     let (first, others) = model.further.split_first()?;
     let others = others.iter().map(|name| format!("{name} {}", largest(name)));
-    let about = joined([first.clone()].into_iter().chain(others), "; ");
-    Some(Quantity::new("further_force", "Further tool", largest(first)).at(format!("{about}; at its largest")))
+    let about = joined(["at its largest".to_owned()].into_iter().chain(others), "; ");
+    let force = Quantity::new("further_force", "Further tool", largest(first)).at(about);
+    Some(Quantity { name: Some(crate::units::capitalised(first)), ..force })
 }
 
 fn holder(stage: &StageSolution) -> Option<Quantity> {
@@ -292,10 +293,9 @@ fn ironed(stage: &StageSolution) -> Option<Quantity> {
 /// Excess of a wall over the gap that it goes through \[mm\], by which the penalty of contact lets it into the tools.
 fn pressed(stage: &StageSolution, wall: f64) -> String {
     let gap = estimate::clearance(&stage.model, stage.model.travel).filter(|gap| wall - gap > PRESSED);
-    gap.map_or_else(String::new, |gap| {
-        let [gap, by] = [gap, wall - gap].map(Amount::thickness);
-        format!(", {by} more than the gap of {gap}: pressed into the tools (penalty)")
-    })
+    let Some(gap) = gap else { return String::new() };
+    let [gap, by] = [gap, wall - gap].map(Amount::thickness);
+    format!(", {by} more than the gap of {gap}: pressed into the tools (penalty)")
 }
 
 fn under_load(before: Option<Amount>) -> String {

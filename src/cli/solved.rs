@@ -64,7 +64,8 @@ impl Solved {
 
     pub fn screen(&self, verdict: ScreenText) -> ScreenText {
         let Self { solution, verification, answer, findings } = self;
-        let numbers = answer.numbers.iter().map(|n| [n.label.to_string(), n.amount.to_string(), n.place.to_string()]);
+        let all = answer.numbers.iter();
+        let numbers = all.map(|n| [n.name.as_deref().unwrap_or(n.label).into(), n.amount.to_string(), n.place.clone()]);
         let bars = verification.as_ref().map_or_else(|| vec![ErrorBars::NONE.to_owned()], ErrorBars::sentences);
         let end = Some(answer.end.clone()).filter(|end| !end.is_empty());
         let warnings: Vec<String> = end.into_iter().chain(sentences(findings, Kind::Warning)).chain(bars).collect();

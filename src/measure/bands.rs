@@ -124,8 +124,7 @@ pub fn place_on_part(stage: &StageSolution, s0: f64) -> Option<PartPlace> {
     let middle = 0.5 * (along[element] + along[element + 1]);
     let mut bands = bands(stage);
     let i = bands.iter().position(|stretch| stretch.elements.contains(&element))?;
-    let blank = &stage.model.blank;
-    if element == 0 && blank.has_hole() && !blank.is_open() {
+    if element == 0 && stage.model.blank.has_hole() && !stage.model.blank.is_open() {
         return Some(PartPlace { band: Band::HoleEdge, name: Band::HoleEdge.name().into(), next_to: None });
     }
     let near = NEXT_TO * stage.model.blank.thickness;
@@ -235,7 +234,7 @@ fn between(geometry: Geometry, node: Point, inner: Option<&NodeContact>, outer: 
 
 fn of_piece(geometry: Geometry, tool: &Tool, piece: usize, at: Point) -> Band {
     let (role, profile) = (tool.role, &tool.profile);
-    let is_outer = || role == Role::Punch && is_beyond_hollow(profile, piece);
+    let stepped = if role == Role::Punch { stepped(profile, piece) } else { None };
     match &profile.pieces()[piece] {
         _ if role.further().is_some() => Band::Tool,
         Piece::Arc(arc) if arc.sweep < 0.0 => match role {
@@ -245,7 +244,7 @@ fn of_piece(geometry: Geometry, tool: &Tool, piece: usize, at: Point) -> Band {
             _ => Band::Bottom,
         },
         Piece::Arc(_) if role == Role::Die => Band::DieCorner,
-        Piece::Arc(_) if is_outer() => Band::DieRadius,
+        Piece::Arc(_) if stepped.is_some() => Band::DieRadius,
         piece => {
             let tangent = piece.tangent(false) + piece.tangent(true);
             let is_level = tangent.y.abs() < LEVEL.tan() * tangent.x.abs();
@@ -254,18 +253,19 @@ fn of_piece(geometry: Geometry, tool: &Tool, piece: usize, at: Point) -> Band {
                 _ if !is_level => Band::Wall,
                 Role::Die if at.x >= edge() || !edge().is_finite() => Band::Flange,
                 Role::Holder => Band::Flange,
-                _ if is_outer() => Band::Flange,
-                _ => Band::Bottom,
+                _ => stepped.unwrap_or(Band::Bottom),
             }
         }
     }
 }
 
-/// True of a punch's last hollow, which bends the flange out, and of what lies outside it.
-fn is_beyond_hollow(profile: &Profile, piece: usize) -> bool {
+/// Band on a stepped punch outside its last corner: the flank to a hollow, that hollow, which bends the flange out, and the flange.
+fn stepped(profile: &Profile, piece: usize) -> Option<Band> {
     let (inside, outside) = profile.pieces().split_at(piece + 1);
+    let has_hollow = |pieces: &[Piece]| pieces.iter().any(|piece| piece.hollow().is_some());
     let is_corner = |piece: &Piece| matches!(piece, Piece::Arc(_)) && piece.hollow().is_none();
-    inside.iter().any(|piece| piece.hollow().is_some()) && !outside.iter().any(is_corner)
+    let band = if has_hollow(inside) { Some(Band::Flange) } else { has_hollow(outside).then_some(Band::Wall) };
+    band.filter(|_| !outside.iter().any(is_corner))
 }
 
 /// Band on a convex arc of a punch: its edge, or the end of a round or crowned punch.

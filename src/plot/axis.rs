@@ -3,6 +3,7 @@
 use super::*;
 use crate::table::Column;
 use crate::units::DisplaySettings;
+pub(crate) use crate::units::capitalised;
 use serde::Serialize;
 
 /// Linear or logarithmic spacing of values.
@@ -105,9 +106,4 @@ impl<R> Field<R> {
     pub fn axis(&self, extent: Extent) -> Axis {
         self.filled(extent, Vec::new()).axis()
     }
-}
-
-pub(crate) fn capitalised(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
 }

@@ -31,7 +31,7 @@ pub(super) fn content(report: &Report) -> Markup {
         dl.numbers {
             @for number in &answer.numbers {
                 div {
-                    dt { (number.label) }
+                    dt { (number.name.as_deref().unwrap_or(number.label)) }
                     dd { strong { (number.amount) } @if !number.place.is_empty() { span { (number.place) } } }
                 }
             }

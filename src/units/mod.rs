@@ -19,6 +19,7 @@ mod unit;
 
 pub use amount::{Amount, Digits};
 pub use dimension::{Dimension, ZERO_CELSIUS};
+pub(crate) use number::capitalised;
 pub use number::{closest, joined, rounded, rounded_up, significant, trimmed, without_zeros};
 pub(crate) use number::{did_you_mean, shortened};
 pub use parse::{Parsed, QuantityError, parse, thicknesses};

@@ -38,6 +38,11 @@ pub fn joined<S: Borrow<str>>(parts: impl IntoIterator<Item = S>, separator: &st
     parts.into_iter().filter(|part| !part.borrow().is_empty()).collect::<Vec<S>>().join(separator)
 }
 
+pub(crate) fn capitalised(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
+}
+
 pub(crate) fn shortened(text: &str) -> String {
     let length = text.chars().count();
     if length <= 2 * LONGEST {

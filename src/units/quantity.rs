@@ -10,6 +10,8 @@ pub struct Quantity {
     pub key: &'static str,
     /// Name in text: `Thinnest`.
     pub label: &'static str,
+    /// Name in text in place of it: `Ejector`.
+    pub name: Option<String>,
     /// Value, unit and digits.
     pub amount: Amount,
     /// Discretisation error.
@@ -56,7 +58,7 @@ pub enum ErrorBar {
 impl Quantity {
     /// Quantity without error bar, limits and place.
     pub fn new(key: &'static str, label: &'static str, amount: Amount) -> Self {
-        Self { key, label, amount, error: ErrorBar::NotComputed, limits: None, place: String::new() }
+        Self { key, label, name: None, amount, error: ErrorBar::NotComputed, limits: None, place: String::new() }
     }
 
     /// Sets the place.

@@ -117,8 +117,7 @@ impl DrawnTools {
     pub fn gap_doubt(&self) -> Option<String> {
         let thickness = self.thickness.value;
         let clearance = self.clearance().filter(|clearance| *clearance > WIDE * thickness)?;
-        let [gap, t, times] =
-            [(clearance, 3), (thickness, 3), (clearance / thickness, 1)].map(|(n, to)| trimmed(n, to));
+        let [gap, t, times] = [(clearance, 3), (thickness, 3), (clearance / thickness, 1)].map(|(n, d)| trimmed(n, d));
         let placeholder = if self.thickness.is_given() { "" } else { ", a placeholder" };
         let what =
             format!("the drawing leaves {gap} mm between punch and die, {times} times the sheet's thickness of {t} mm");
