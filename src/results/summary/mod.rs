@@ -113,9 +113,8 @@ impl Value {
     fn events(run: &StageSolution) -> Self {
         let (events, force) = (events(run), run.model.extent().force_unit());
         let row = |event: &Event| {
-            let (travel, load) = (Amount::place(event.travel), Amount::force(event.force, force));
-            let at =
-                if event.travel == 0.0 { Amount::time(event.time).to_string() } else { format!("{travel}, {load}") };
+            let (way, load) = (Amount::place(event.travel), Amount::force(event.force, force));
+            let at = if event.travel == 0.0 { Amount::time(event.time).to_string() } else { format!("{way}, {load}") };
             [String::new(), format!("{at}: {}", event.kind.label(&run.model))]
         };
         let entry = |event: &Event| {
