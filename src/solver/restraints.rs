@@ -66,19 +66,20 @@ impl BeadPosition {
 pub struct Seal {
     /// Element that the seal cuts; those before it are inside.
     element: usize,
-    /// Share of that element inside \[–\].
+    /// Share of that element's flat area inside \[–\].
     share: f64,
 }
 
 impl Seal {
     /// Seal at the distance `within` from the axis or symmetry plane \[mm\].
-    pub fn find(state: &State, within: f64) -> Self {
+    pub fn find(nodes: &[Node], within: f64, geometry: Geometry) -> Self {
         let begins_inside = |ends: &[Node]| ends[1][0] <= within || ends[0][0] < within;
-        let Some(element) = state.nodes.windows(2).rposition(begins_inside) else {
+        let Some(element) = nodes.windows(2).rposition(begins_inside) else {
             return Self { element: 0, share: 0.0 };
         };
-        let [from, to] = [element, element + 1].map(|i| state.nodes[i][0]);
-        let share = (within - from) / (to - from);
+        let [from, to] = [element, element + 1].map(|i| nodes[i][0]);
+        let [inside, whole] = [within, to].map(|r| geometry.area(r) - geometry.area(from));
+        let share = inside / whole;
         if to <= within { Self { element: element + 1, share: 0.0 } } else { Self { element, share } }
     }
 

@@ -1,6 +1,6 @@
 //! Start of a step: what all its iterations share.
 
-use super::restraints::{BeadPosition, Seal};
+use super::restraints::BeadPosition;
 use super::run_context::references;
 use super::*;
 use crate::element::surface::Station;
@@ -47,7 +47,6 @@ pub(super) struct Step<'a> {
     pub volume: Vec<f64>,
     pub growth: Vec<f64>,
     pub beads: Vec<Option<BeadPosition>>,
-    pub seals: Vec<Seal>,
 }
 
 impl<'a> Step<'a> {
@@ -95,7 +94,6 @@ impl<'a> Step<'a> {
             volume,
             growth,
             beads: model.beads.iter().map(|bead| BeadPosition::find(bead, model, state)).collect(),
-            seals: model.gas.iter().map(|gas| Seal::find(state, gas.within)).collect(),
         }
     }
 

@@ -77,7 +77,7 @@ fn contact_shares(converged: &Converged, before: &Evaluation) -> StepRecord {
 fn contact_share(converged: &Converged) -> f64 {
     let Converged { step, evaluation, .. } = converged;
     let within = step.model.gas.iter().map(|gas| gas.within).reduce(f64::max).unwrap_or(f64::INFINITY);
-    let seal = Seal::find(step.state, within);
+    let seal = Seal::find(&step.state.nodes, within, step.model.geometry);
     let tools = step.context.tools.iter().enumerate();
     let forming: Vec<usize> =
         tools.filter(|(_, tool)| matches!(tool.role, Role::Punch | Role::Die)).map(|(j, _)| j).collect();

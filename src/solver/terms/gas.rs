@@ -3,6 +3,7 @@
 use crate::element::{Vector6, kinematics::Matrix6};
 use crate::material::flow::{Metric, YieldCondition};
 use crate::solver::evaluation::HeldRate;
+use crate::solver::restraints::Seal;
 use crate::solver::*;
 use std::f64::consts::TAU;
 
@@ -13,7 +14,8 @@ use std::f64::consts::TAU;
 /// ```
 pub fn add(step: &Step, trial: &Trial, out: &mut Evaluation) -> f64 {
     out.gas_force.fill(Point::zeros());
-    for (k, (gas, seal)) in step.model.gas.iter().zip(&step.seals).enumerate() {
+    for (k, gas) in step.model.gas.iter().enumerate() {
+        let seal = Seal::find(&out.nodes, gas.within, step.model.geometry);
         for e in 0..out.thickness.len() {
             let inside = seal.inside(e);
             if inside > 0.0 {
