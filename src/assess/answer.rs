@@ -257,8 +257,7 @@ fn height(stage: &StageSolution) -> Option<Quantity> {
 /// Depth between the ends of a punch's inner and outer flat, where the sheet lies at the same distances from the symmetry plane.
 fn step(stage: &StageSolution) -> Option<Quantity> {
     let [before, after] = stage.released().filter(|_| stage.model.geometry == Geometry::PlaneStrain)?;
-    let pieces = stage.model.tool(Role::Punch)?.profile.pieces();
-    let (inner, outer) = (pieces.first()?, pieces.last()?);
+    let [inner, .., outer] = stage.model.tool(Role::Punch)?.profile.pieces() else { return None };
     let is_level = |piece: &Piece| matches!(piece, Piece::Segment(line) if line.from.y == line.to.y);
     let of_punch = inner.last().y - outer.first().y;
     let depth = |frame: &Frame| {
@@ -282,9 +281,8 @@ fn rim(case: &Case, stage: &StageSolution) -> Option<Quantity> {
 
 fn ironed(stage: &StageSolution) -> Option<Quantity> {
     let most = stage.steps.iter().max_by(|a, b| a.ironing.total_cmp(&b.ironing))?;
-    let gap = estimate::clearance(&stage.model, stage.model.travel)?;
-    let is_ironed = most.ironing > tools::IRONED && gap < stage.model.blank.thickness;
-    let frame = stage.frames.last().filter(|_| is_ironed)?;
+    let is_narrow = estimate::clearance(&stage.model, stage.model.travel)? < stage.model.blank.thickness;
+    let frame = stage.frames.last().filter(|_| is_narrow && most.ironing > tools::IRONED)?;
     let wall = frame.elements[element_at(frame, most.ironing_s0)?].thickness;
     let about = format!("thick where it is ironed most{}", pressed(stage, wall));
     Some(Quantity::new("wall", "Wall", Amount::thickness(wall)).at(about))

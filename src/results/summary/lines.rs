@@ -137,8 +137,10 @@ impl Lines<'_> {
                 self.number("forming_limit_s0", "    at s0, its initial distance", Amount::place(reached.s0));
             }
         }
-        let label = if model.blank.edge == Edge::Free { "Draw-in of the edge" } else { "" };
-        self.number("draw_in", label, Amount::draw_in(last.draw_in));
+        match model.blank.edge {
+            Edge::Free => self.number("draw_in", "Draw-in of the edge", Amount::draw_in(last.draw_in)),
+            _ => self.plain("draw_in_mm", "", rounded(last.draw_in)),
+        }
     }
 
     fn condition(&mut self) {
