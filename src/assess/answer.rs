@@ -191,8 +191,7 @@ fn pad(stage: &StageSolution) -> Option<Quantity> {
 fn clamp(stage: &StageSolution) -> Option<Quantity> {
     let pull = Some(super::largest(stage, |step| step.edge_force)).filter(|pull| *pull > 0.0)?;
     let pull = Amount::force(pull, stage.model.extent().force_unit()).to(Digits::Significant(3));
-    let about =
-        worded(stage.model.geometry, "pull on the held edge, all round", "pull on the held edges, both together");
+    let about = worded(stage.model.geometry, "pull on the held edge, all round", "pull on both held edges");
     Some(Quantity::new("clamp_force", "Clamp", pull).at(format!("{about}, at its largest")))
 }
 
