@@ -15,7 +15,7 @@ use stampflow::report::Report;
 use stampflow::results::{self, Make, OUTPUTS, Output, Results, Summary, tables};
 use stampflow::study::{judge, verify};
 use stampflow::table::Unit;
-use stampflow::units::Amount;
+use stampflow::units::{Amount, Quantity};
 use std::sync::{Arc, OnceLock};
 use std::{collections::BTreeMap, path::PathBuf};
 
@@ -137,7 +137,8 @@ impl Solution {
         let summary = self.results(py)?.views.last().map(Summary::of);
         let is_new = |(key, ..): &(&str, String, Amount)| of_part.iter().all(|number| number.key != *key);
         let of_stage = summary.iter().flat_map(Summary::numbers).filter(is_new);
-        let numbers = of_part.iter().map(|number| (number.key, number.label.to_owned(), number.amount)).chain(of_stage);
+        let name = |number: &Quantity| number.name.clone().unwrap_or_else(|| number.label.to_owned());
+        let numbers = of_part.iter().map(|number| (number.key, name(number), number.amount)).chain(of_stage);
         let parts = numbers.map(|(key, label, amount)| {
             let unit = amount.unit;
             (unit.keyed(key), label, amount.value, unit.symbol(), amount.bar, amount.to_string())

@@ -40,7 +40,7 @@ pub fn solve(mut case: Case, is_coarse: bool) -> Value {
         all.map(|sentence| sentence.to_string()).collect()
     };
     let answer = Answer::of(case, solved, &findings);
-    let number = |number: &Quantity| json!({ "key": number.key, "label": number.label, "text": number.amount.to_string(), "about": number.place });
+    let number = |number: &Quantity| json!({ "key": number.key, "label": number.name.as_deref().unwrap_or(number.label), "text": number.amount.to_string(), "about": number.place });
     json!({
         "title": case.model().title,
         "text": case.text,
