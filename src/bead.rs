@@ -102,9 +102,9 @@ fn penetration(case: &Model, bead: &Round) -> f64 {
     bead.height + case.blank.thickness - apart
 }
 
-/// Solves the closed bead at `at` \[mm\] of a case: its line restraint, and a sentence on it.
+/// Solves the closed bead at `at` \[mm\] of a case: its line restraint, the largest force that closes it \[N/mm\], and a sentence.
 /// Fails with mistake and remedy of a bead that does not fit, or, then true, in which the strip's run stops.
-pub fn closed(case: &Model, bead: &Round, at: f64) -> Result<(Bead, String), (String, &'static str, bool)> {
+pub fn closed(case: &Model, bead: &Round, at: f64) -> Result<(Bead, f64, String), (String, &'static str, bool)> {
     let (t, end, way) = (case.blank.thickness, case.blank.length, penetration(case, bead));
     let (flat, half) = (case.tool(Role::Die).map_or(0.0, shoulder_end), widths(bead, t).1[2]);
     let [groove, ridge] = sections(bead, t, at, at + 2.0 * half);
@@ -113,8 +113,8 @@ pub fn closed(case: &Model, bead: &Round, at: f64) -> Result<(Bead, String), (St
     if bead.radius.min(bead.shoulder) < t {
         return refused(format!("a radius is less than the sheet's thickness, {t} mm"), "check the unit");
     } else if at - half < flat || at + half > end {
-        let flange = format!("the flange from {flat:.3} to {end} mm");
-        return refused(format!("the groove of {} mm is wider than {flange}", rounded(2.0 * half)), "smaller radii");
+        let groove = format!("the groove reaches from {} to {} mm", rounded(at - half), rounded(at + half));
+        return refused(format!("{groove}, the flange from {flat:.3} to {end} mm"), "smaller radii, or another place");
     } else if way < 0.01 * t {
         return refused("the holder stays too far off".into(), "a higher bead, or a smaller gap of the holder");
     } else if room < 0.999 * t {
@@ -124,11 +124,13 @@ pub fn closed(case: &Model, bead: &Round, at: f64) -> Result<(Bead, String), (St
         let what = format!("no strip comes through the bead at {at} mm: {stop}");
         (what, "a lower bead, larger radii, more clearance or less friction", true)
     })?;
-    let [force, closing] = [drawn.restraining, drawn.uplift].map(|force| significant(force, 3));
-    let forces = format!("the bead at {at} mm restrains by {force} N/mm, and takes {closing} N/mm from the holder");
-    let thinning = format!("its thinning by {} is left out", Amount::share(drawn.thinning));
+    let forces = [drawn.restraining, drawn.uplift, drawn.closing.max(drawn.uplift)];
+    let [force, closing, shut] = forces.map(|force| significant(force, 3));
+    let forces =
+        format!("the bead at {at} mm restrains by {force} N/mm; {shut} N/mm close it, {closing} N/mm keep it so");
+    let thinning = Amount::share(drawn.thinning);
     let line = Bead { at, restraining: force.into(), closing, round: Some(*bead) };
-    Ok((line, format!("{forces}, as a strip that is pulled through it; {thinning}")))
+    Ok((line, shut, format!("{forces}, as a strip that is pulled through it; its thinning by {thinning} is left out")))
 }
 
 /// Closing of a bead of a case at `place` by `way`, and the pull through it \[mm\], of a strip of the case's sheet: elastic where its

@@ -216,7 +216,9 @@ fn holder(stage: &StageSolution) -> Option<Quantity> {
         return Some(Quantity::new("holder_gap", "Holder gap", Amount::size(gap)).at(about));
     }
     let force = Amount::force(super::largest(stage, |step| step.holder_force), model.extent().force_unit());
-    let beside = if model.beads.is_empty() { "" } else { ", beside what closes the beads" };
+    let beads: f64 = model.beads.iter().map(|bead| bead.closing * bead.line(model.geometry)).sum();
+    let closing = Amount::force(model.extent().times() * beads, force.unit).to(Digits::Significant(3));
+    let beside = if beads > 0.0 { format!("; {closing} more keep the beads closed") } else { String::new() };
     let force = Quantity::new("holder_force", "Holder", force.to(Digits::Significant(3)));
     Some(force.at(format!("at its largest{beside}")))
 }

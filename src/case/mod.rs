@@ -101,8 +101,7 @@ impl Case {
 
     /// Label of stage `i`, counted from 0, in folders and headings: `1-draw`; `None` in a case of one stage.
     pub fn stage_label(&self, i: usize) -> Option<String> {
-        let stage = self.stages.get(i).filter(|_| self.stages.len() > 1)?;
-        Some(format!("{}-{}", i + 1, stage.name))
+        Some(format!("{}-{}", i + 1, self.stages.get(i).filter(|_| self.stages.len() > 1)?.name))
     }
 }
 

@@ -106,8 +106,7 @@ pub fn listen() -> Result<()> {
         }
         // A file that grows beyond the limit of the process is an error like a full disk.
         flag::register(SIGXFSZ, Arc::default())?;
-        let hung_up = if is_ignored(SIGHUP) { Arc::default() } else { Arc::clone(&INTERRUPTED) };
-        flag::register(SIGHUP, hung_up)?;
+        flag::register(SIGHUP, if is_ignored(SIGHUP) { Arc::default() } else { Arc::clone(&INTERRUPTED) })?;
     }
     Ok(())
 }

@@ -37,8 +37,7 @@ pub fn materials(args: &Args) -> Result<Code> {
     let band =
         band.iter().fold(wrapped(format!("\nLaw: {}; {}\n", material.hardening, about.source())), |text, band| {
             let (rows, sources) = band.rows();
-            let title = format!("\nBand of {}\n\n", band.standard);
-            text + wrapped(title)
+            text + wrapped(format!("\nBand of {}\n\n", band.standard))
                 + table(&["", "least", "largest", "kind", "grade", "source"], rows)
                 + "\n"
                 + list(sources)

@@ -35,8 +35,7 @@ pub fn free(path: &Path, force: bool, inputs: &[PathBuf], option: &str) -> Resul
 }
 
 pub fn file(path: &Path, inputs: &[PathBuf], option: &str) -> Result<()> {
-    let place = real(path);
-    ensure!(inputs.iter().all(|input| real(input) != place), refused(path, "is what is read", option));
+    ensure!(inputs.iter().all(|input| real(input) != real(path)), refused(path, "is what is read", option));
     Ok(())
 }
 

@@ -152,8 +152,7 @@ impl Model {
 
     /// First and last of `nodes` and how they are held.
     pub fn held_edges(&self, nodes: usize) -> [(usize, Edge); 2] {
-        let first = if self.blank.hole == 0.0 { Edge::Axis } else { self.blank.inner_edge };
-        [(0, first), (nodes - 1, self.blank.edge)]
+        [(0, if self.blank.hole == 0.0 { Edge::Axis } else { self.blank.inner_edge }), (nodes - 1, self.blank.edge)]
     }
 
     /// Metal at an initial distance from the axis or symmetry plane \[mm\].
@@ -237,7 +236,6 @@ impl Model {
     /// Next time at which the punch changes its speed \[s\]; infinite if never.
     pub fn next_change(&self, time: f64) -> f64 {
         let changes = self.schedule.iter().flat_map(|schedule| schedule.points());
-        let after = time + 1e-12 * self.duration;
-        changes.map(|p| p.0).find(|t| *t > after).unwrap_or(f64::INFINITY)
+        changes.map(|p| p.0).find(|t| *t > time + 1e-12 * self.duration).unwrap_or(f64::INFINITY)
     }
 }

@@ -22,8 +22,7 @@ const ROUNDED: f64 = 1e-6;
 /// as a whole, so that a straight-walled punch has its wall from the start.
 pub fn mouth(punch: &Tool, depth: f64) -> f64 {
     let pieces = punch.profile.pieces();
-    let top = punch.profile.polyline(0.01).iter().map(|p| p.y).fold(f64::NEG_INFINITY, f64::max);
-    let level = top - depth;
+    let level = punch.profile.polyline(0.01).iter().map(|p| p.y).fold(f64::NEG_INFINITY, f64::max) - depth;
     let last = pieces.iter().rposition(|piece| piece.first().y.max(piece.last().y) >= level - ROUNDED);
     let last = last.unwrap_or(0);
     let roundings = pieces[last..].iter().take_while(|piece| matches!(piece, Piece::Arc(_))).count();

@@ -54,8 +54,7 @@ impl Layer {
 
     pub(crate) fn cut(name: String, at: Point, thickness: Point, text: String) -> Self {
         let [from, to] = [-ACROSS, ACROSS].map(|reach| at + reach * thickness);
-        let line = Self::of_pieces(name, (6, "#c000c0"), vec![Piece::line(from, to)]);
-        Self { label: Some((to, text)), ..line }
+        Self { label: Some((to, text)), ..Self::of_pieces(name, (6, "#c000c0"), vec![Piece::line(from, to)]) }
     }
 }
 

@@ -49,8 +49,7 @@ impl Thinning {
     }
 
     fn level(&self, thinning: f64) -> i32 {
-        let level = (thinning / self.step + SLACK).floor() as i32;
-        level.clamp(self.levels.start, self.levels.end - 1)
+        ((thinning / self.step + SLACK).floor() as i32).clamp(self.levels.start, self.levels.end - 1)
     }
 
     fn color(&self, level: i32) -> Color {

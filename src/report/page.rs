@@ -126,7 +126,7 @@ pub(super) fn in_words(text: &str) -> String {
             words += part;
         }
     }
-    KEYS.iter().fold(words, |words, key| words.replace(&format!("[{key}]"), key))
+    KEYS.iter().fold(words.replace(" ()", ""), |words, key| words.replace(&format!("[{key}]"), key))
 }
 
 /// Table; on a phone the cells of wide ones stand below each other under their columns' names.

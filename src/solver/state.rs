@@ -166,8 +166,7 @@ impl State {
     /// Clear diameter at the first end, between its inner faces \[mm\].
     pub fn hole(&self) -> f64 {
         let (along, r) = (self.along(0), self.nodes[0][0]);
-        let half = 0.5 * self.thickness[0] * along.y.abs() / along.norm();
-        2.0 * (r - half)
+        2.0 * r - self.thickness[0] * along.y.abs() / along.norm()
     }
 
     /// Initial distance of the middle of element `e` from the axis \[mm\].

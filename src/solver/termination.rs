@@ -204,8 +204,7 @@ fn closed(model: &Model, state: &State) -> Option<(f64, Point, [usize; 2])> {
         roles => roles[0].side() != roles[1].side() && roles.iter().any(|role| role.further().is_some()),
     };
     let later = |(i, a)| tools().filter(move |(j, b)| *j > i && meets(a, b)).map(move |(j, _)| [i, j]);
-    let pairs = tools().flat_map(later).filter_map(|pair| closes(model, state, pair));
-    pairs.min_by(|a, b| a.0.total_cmp(&b.0))
+    tools().flat_map(later).filter_map(|pair| closes(model, state, pair)).min_by(|a, b| a.0.total_cmp(&b.0))
 }
 
 fn ends_at(model: &Model, pair: [usize; 2]) -> f64 {

@@ -154,8 +154,7 @@ impl From<Amount> for String {
 }
 
 fn text((number, unit): (String, &str)) -> String {
-    let space = if matches!(unit, "" | "°") { "" } else { " " };
-    number + space + unit
+    number + if matches!(unit, "" | "°") { "" } else { " " } + unit
 }
 
 /// Number and bar with as many decimals: one digit of the bar, or two if the first is 1, rounded up.

@@ -23,8 +23,7 @@ fn the_tools_of_every_stage_hold_the_sheet_in_balance() {
             for (step, forces) in stage.steps.iter().zip(&stage.tool_forces) {
                 let inside = gas.first().map_or(0.0, |gas| gas.within.min(blank.edge_radius() - step.draw_in));
                 let sum = forces.iter().sum::<f64>() + step.pressure * PI * inside.powi(2);
-                let at = (&stage.model.title, i, step.travel);
-                assert!(sum.abs() <= 1e-3 * largest, "{at:?}: {sum} of {largest}");
+                assert!(sum.abs() <= 1e-3 * largest, "{} {i}, {}: {sum} of {largest}", stage.model.title, step.travel);
                 judged += 1;
                 with_gas += usize::from(inside > 0.0);
                 fading += usize::from(!stage.end.unloading.is_empty());

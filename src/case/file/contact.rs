@@ -120,28 +120,29 @@ pub fn beads(written: &[Bead], model: &Model, source: &Source) -> Result<Vec<mod
         let what = format!("a bead at {at} mm is not on {flange}");
         source.require((flat..edge).contains(&at), &format!("{path}.{key}"), what, "check the unit and the blank")?;
         if let Some(round) = bead.round {
-            let (line, note) = bead::closed(model, &round, at).map_err(|(what, help, is_stopped_run)| {
+            let (line, shut, note) = bead::closed(model, &round, at).map_err(|(what, help, is_stopped_run)| {
                 let mut error = source.error(&format!("{path}.round"), what, help);
                 error.is_stopped_run = is_stopped_run;
                 error
             })?;
             source.note(note);
-            beads.push(line);
+            beads.push((line, shut));
             continue;
         }
         let restraining = bead.restraining.as_ref().ok_or_else(|| source.missing(&path, "restraining"))?;
         let path = format!("{path}.restraining");
         let restraining = restraining.curve(&path, "travels", source, |force, _| Ok(force.value()))?;
-        beads.push(model::Bead { at, restraining, closing: bead.closing.map_or(0.0, Dimensioned::value), round: None });
+        let closing = bead.closing.map_or(0.0, Dimensioned::value);
+        beads.push((model::Bead { at, restraining, closing, round: None }, closing));
     }
-    let closing: f64 = beads.iter().map(|bead| bead.closing * (extent.times() * bead.line(geometry))).sum();
+    let closing: f64 = beads.iter().map(|(bead, force)| force * (extent.times() * bead.line(geometry))).sum();
     if let Some(Motion::Pressed(press)) = model.tool(Role::Holder).map(|holder| &holder.motion) {
         let (unit, least) = (extent.force_unit().symbol(), press.force.smallest());
         let what = format!("closing the beads takes {closing:.0} {unit}, the holder has only {least:.0} {unit}");
-        let help = "raise the holder's force, or lower the closing force";
+        let help = "raise the holder's force, or lower the bead or its closing force";
         source.require(closing <= 0.0 || closing < least, "tools.beads.0", what, help)?;
     }
-    Ok(beads)
+    Ok(beads.into_iter().map(|(bead, _)| bead).collect())
 }
 
 /// The friction law of one tool: Coulomb's coefficient, 0 to 1, or exactly one other law.

@@ -54,8 +54,7 @@ impl FrictionStress {
 /// φ(s) = s/√(s² + s₀²) and its derivative \[1/mm\].
 #[inline(always)]
 pub fn direction(slip: f64, scale: f64) -> ValueAndSlope {
-    let square = slip * slip + scale * scale;
-    let inverse = 1.0 / square.sqrt();
+    let inverse = 1.0 / (slip * slip + scale * scale).sqrt();
     ValueAndSlope { value: slip * inverse, slope: inverse * inverse * inverse * (scale * scale) }
 }
 
