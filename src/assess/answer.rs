@@ -243,7 +243,8 @@ fn blank(model: &Model) -> Quantity {
 }
 
 fn opening_angle(stage: &StageSolution) -> Option<Quantity> {
-    let [before, after] = stage.released().filter(|_| stage.model.geometry == Geometry::PlaneStrain)?;
+    let is_bend = stage.model.geometry == Geometry::PlaneStrain && step(stage).is_none();
+    let [before, after] = stage.released().filter(|_| is_bend)?;
     let angle = |frame| (OPENING_ANGLE.of)(&Shape::of(frame)).map(Amount::angle);
     let opening = Quantity::new(OPENING_ANGLE.key, OPENING_ANGLE.label, angle(after)?);
     Some(opening.at(format!("sprung back{}", under_load(angle(before)))))

@@ -5,6 +5,7 @@ use crate::assess::{self, Finding, Kind, sentences};
 use crate::case::{Case, Solution};
 use crate::forming_limit::{Assessment, assess};
 use crate::measure::Ring;
+use crate::model::tool_sizes::extent;
 use crate::solver::solution::StopKind;
 use std::sync::OnceLock;
 use std::time::Duration;
@@ -157,7 +158,7 @@ impl<'a> StageView<'a> {
         Amount::new(value, unit, Digits::Given((2.0 - value.log10().floor().clamp(-12.0, 0.0)) as usize))
     }
 
-    /// Travel \[mm\], released share \[%\], time \[s\] or dome height \[mm\] of a frame.
+    /// Travel \[mm\], released share \[%\], time \[s\], pressure on a die \[MPa\] or dome height \[mm\] of a frame.
     pub(super) fn progress_value(&self, frame: &Frame) -> (f64, Unit) {
         let (_, unit, value) = self.progress_quantity();
         (value(self.model(), frame), unit)
@@ -168,6 +169,13 @@ impl<'a> StageView<'a> {
             model if model.travel > 0.0 => ("travel", Unit::Mm, |_, frame| frame.travel),
             model if model.release.is_some() => ("tools released", Unit::Percent, |m, f| 100.0 * f.time / m.duration),
             model if model.rate_control().is_some() => ("time", Unit::Second, |_, frame| frame.time),
+            model
+                if model.blank.meridian.is_some() || model.tool(Role::Die).is_some_and(|die| extent(die).0 == 0.0) =>
+            {
+                ("pressure", Unit::MPa, |model, frame| {
+                    model.gas.iter().filter_map(|gas| gas.pressure.prescribed(frame.time)).fold(0.0, f64::max)
+                })
+            }
             _ => ("dome height", Unit::Mm, |_, frame| frame.nodes.first().map_or(0.0, |pole| pole.z.abs())),
         }
     }
