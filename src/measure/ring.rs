@@ -87,9 +87,8 @@ impl Ring {
     /// Cuts the ring; `None` where the wall is too low or leans by more than 30°, and without thickness points.
     pub fn cut(self, frame: &Frame) -> Option<CutRing> {
         let (middle, rim) = (frame.nodes.first()?, frame.nodes.last()?);
-        let down = (middle.z - rim.z).signum();
         // Over the outside of the bottom.
-        let over = |z: f64| down * (middle.z - z) + 0.5 * middle.thickness;
+        let over = |z: f64| (middle.z - rim.z).signum() * (middle.z - z) + 0.5 * middle.thickness;
         let layers = &frame.through.layers;
         let mut sums = [0.0; 5];
         let sections = frame.elements.iter().zip(frame.through.elements()).zip(frame.nodes.windows(2));

@@ -82,9 +82,8 @@ pub(super) fn files(results: &Results) -> Files {
         Column::new("turned_over", "Turned over before", Unit::None, begins(|begin| begin.turn_over)),
     ];
     columns.extend(further);
-    let table = Table::new(columns);
     let (names, stops) = lines.iter().map(|(name, stop, _)| (name.to_string(), stop.to_string())).unzip();
-    vec![(FILE.to_owned(), csv_with_texts(&table, &[("name", names), ("stop", stops)]))]
+    vec![(FILE.to_owned(), csv_with_texts(&Table::new(columns), &[("name", names), ("stop", stops)]))]
 }
 
 pub(super) fn printed(solution: &Solution) -> String {

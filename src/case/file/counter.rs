@@ -67,9 +67,8 @@ impl Counter<'_> {
         let (name, other) = (self.role.name(), self.of.name());
         let (why, help) = match (self.role, self.of) {
             (Role::Die, Role::Holder) | (Role::Holder, Role::Die) => {
-                let original = self.original("mirror_of")?;
                 self.context.source.note(format!("the {name} is the {other}'s mirror image"));
-                return self.placed(original.mirrored()).map(|(profile, _)| profile);
+                return self.placed(self.original("mirror_of")?.mirrored()).map(|(profile, _)| profile);
             }
             (Role::Die, Role::Punch) | (Role::Punch, Role::Die) => {
                 let instead = format!("{{ offset_of = \"{other}\", by = \"1.2 mm\" }}");
