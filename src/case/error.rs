@@ -1,8 +1,6 @@
 //! Errors of case files with key, place and remedy; complaints of the TOML parser and of serde in plain words.
 
-use super::files::{remedy, visible};
-use super::schema::{example, is_index};
-use super::{source::path_at, *};
+use super::{files::remedy, files::visible, schema::example, schema::is_index, source::path_at, *};
 use crate::units::{self, QuantityError, did_you_mean, shortened};
 use miette::{Diagnostic, GraphicalReportHandler, GraphicalTheme, NamedSource, SourceSpan};
 use std::{io::ErrorKind, ops::Range, sync::Arc};

@@ -1,7 +1,6 @@
 //! `stampflow report`: a case solved and written as one HTML page.
 
-use super::compare::{Variants, to_compare};
-use super::*;
+use super::{compare::Variants, compare::to_compare, *};
 
 options! {
     /// Solve a case and write a report, one HTML page

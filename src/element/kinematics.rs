@@ -13,8 +13,7 @@
 //!
 //! Source: Oñate, Agelet de Saracibar, Int. J. Num. Meth. Engng. 30 (1990) 1577; Zienkiewicz, Taylor, FEM (1989).
 
-use super::surface::{STATIONS, stations};
-use super::{Geometry, Node, Theory, Vector6};
+use super::{Geometry, Node, Theory, Vector6, surface::STATIONS, surface::stations};
 use nalgebra::{SMatrix, SVector, UnitComplex};
 
 /// Generalised strains or stress resultants: meridional and hoop membrane, meridional and hoop bending, shear.

@@ -1,7 +1,6 @@
 //! Section of a tool: chain of pieces with signed distance, normal and curvature.
 
-use super::piece::{Foot, SHORTEST};
-use super::{Piece, Point, on_axis, turned};
+use super::{Piece, Point, on_axis, piece::Foot, piece::SHORTEST, turned};
 
 /// Largest gap between consecutive pieces \[mm\].
 pub(super) const GAP: f64 = 1e-6;

@@ -1,7 +1,6 @@
 //! The drawing's unit and axis: from its coordinates to mm, and back for messages.
 
-use super::options::{DrawingUnit, Options};
-use super::{ImportError, Result, dxf::Drawing};
+use super::{ImportError, Result, dxf::Drawing, options::DrawingUnit, options::Options};
 use crate::geometry::Point;
 use crate::rules::{WIDEST, WIDTHS};
 use crate::units::{joined, rounded, significant};

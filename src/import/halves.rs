@@ -1,7 +1,6 @@
 //! The right half of what is drawn: cut at the axis, and compared with the left half where that is drawn too.
 
-use super::chain::{Chain, join};
-use super::{ImportError, Result, ensure, frame::Frame, layers::ToolId};
+use super::{ImportError, Result, chain::Chain, chain::join, ensure, frame::Frame, layers::ToolId};
 use crate::geometry::{Bounds, Piece, Point};
 
 pub(super) fn right(strokes: Vec<Chain>, tool: ToolId, frame: &Frame) -> Result<Chain> {

@@ -3,8 +3,7 @@
 use super::*;
 use crate::measure;
 use crate::model::Edge;
-use crate::plot::axis::capitalised;
-use crate::plot::fields::step::*;
+use crate::plot::{axis::capitalised, fields::step::*};
 
 const NEAR: f64 = 2.0;
 const FEED_FORCE: &str = "Feed force on the tube's wall";

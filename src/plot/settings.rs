@@ -1,7 +1,6 @@
 //! Picture settings: formats, width on paper, captions.
 
-use super::svg::{WIDTH, sized};
-use super::*;
+use super::{svg::WIDTH, svg::sized, *};
 
 named! {
     /// Picture file format.

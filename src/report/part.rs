@@ -1,7 +1,6 @@
 //! Second page: stages with their peaks, sections at the start, thickness and forming limit.
 
-use super::sizes::{dimensions, section};
-use super::*;
+use super::{sizes::dimensions, sizes::section, *};
 use crate::assess::estimate::draw_ratio;
 
 const COLUMNS: [(&str, &str); 8] = [

@@ -1,8 +1,7 @@
 //! Sections without pictures: verdict, error bars, inputs, assumptions, warnings, solver, case.
 
 use super::{results::figures, *};
-use crate::assess::check::Line;
-use crate::assess::error_bars::{Number, Origin};
+use crate::assess::{check::Line, error_bars::Number, error_bars::Origin};
 use crate::case::files::sha256;
 use crate::results::summary::section_of;
 use crate::study::{Cell, compare::SideBySide};

@@ -4,8 +4,7 @@ mod output;
 
 pub(super) use output::{PREFIX, files, is_comparison};
 
-use crate::case::comparison::{ComparedQuantity as Q, Spec};
-use crate::case::{Case, Solution};
+use crate::case::{Case, Solution, comparison::ComparedQuantity as Q, comparison::Spec};
 use crate::forming_limit::Paths;
 use crate::model::{Extent, Model};
 use crate::numerics::interpolated;

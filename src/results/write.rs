@@ -2,10 +2,8 @@
 
 use super::comparison::Comparison;
 use super::{FrameRecorder, Make, OUTPUTS, Output, Pictures, ResultFolder, StageView, WriteError, comparison, stages};
-use crate::assess::error_bars::{ErrorBars, answered};
-use crate::assess::{Answer, Finding, judgements};
-use crate::case::files::{Disk, Files};
-use crate::case::{Case, Solution};
+use crate::assess::{Answer, Finding, error_bars::ErrorBars, error_bars::answered, judgements};
+use crate::case::{Case, Solution, files::Disk, files::Files};
 use serde_json::{Value, json};
 use std::fs;
 use std::io::{self, ErrorKind};

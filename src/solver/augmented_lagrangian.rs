@@ -3,8 +3,7 @@
 //! # References
 //! M. R. Hestenes, J. Optim. Theory Appl. 4 (1969) 303; J. C. Simo, T. A. Laursen, Computers & Structures 42 (1992) 97.
 
-use super::evaluation::mean_gap;
-use super::*;
+use super::{evaluation::mean_gap, *};
 
 const LONGEST_SERIES: f64 = 20.0;
 

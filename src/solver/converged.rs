@@ -1,7 +1,6 @@
 //! Converged steps and the states after them.
 
-use super::terms::contact;
-use super::*;
+use super::{terms::contact, *};
 use crate::material::{Elastic, Gtn, flow::YieldCondition};
 
 /// Largest relative change of the strain rate in steady flow \[–\].

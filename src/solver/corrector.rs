@@ -1,7 +1,6 @@
 //! Implicit corrector: iterates with H until equilibrium (Sosnowski 1994, equation 9).
 
-use super::*;
-use super::{equilibrium::evaluate, evaluation::Linearisation};
+use super::{equilibrium::evaluate, evaluation::Linearisation, *};
 
 /// Largest move of a node in one iteration, over the sheet thickness \[–\].
 pub(super) const LARGEST_MOVE: f64 = 0.5;

@@ -3,8 +3,7 @@
 //! Each term is integrated over the step by the trapezoidal rule from forces and stresses at both ends along the computed path,
 //! each force in its own direction. The corrector never uses these sums, so their imbalance measures the step length.
 
-use super::*;
-use super::{evaluation::Contact, step::CUT_OFF_ZONE};
+use super::{evaluation::Contact, step::CUT_OFF_ZONE, *};
 use crate::solver::solution::Energy;
 
 /// Work of a converged step, and plastic work of each element \[mJ, or per mm of depth\]; `before` is the step before.

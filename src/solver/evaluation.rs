@@ -1,7 +1,6 @@
 //! Evaluation of a trial: residual, matrix, stress, contacts.
 
-use super::*;
-use super::{run_context::references, step::half_thickness_difference};
+use super::{run_context::references, step::half_thickness_difference, *};
 use crate::element::{Vector6, surface::Station};
 use crate::material::flow::StressUpdate;
 use crate::model::PressureCap;

@@ -33,11 +33,9 @@ pub mod trace;
 mod trial;
 
 use crate::contact::penalty::Penalty;
-use crate::element::surface::stations;
-use crate::element::{Node, kinematics::Reference, surface::STATIONS};
+use crate::element::{Node, kinematics::Reference, surface::STATIONS, surface::stations};
 use crate::geometry::{Point, turned};
-use crate::material::Material;
-use crate::material::flow::{ROOM_TEMPERATURE, Triple};
+use crate::material::{Material, flow::ROOM_TEMPERATURE, flow::Triple};
 use crate::model::{
     Edge, Geometry, Iteration, Mode, Model, Motion, Norm, Pressure, Role, Settings, Stage, Theory, Tool,
 };

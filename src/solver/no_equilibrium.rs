@@ -1,7 +1,6 @@
 //! Diagnosis of a step without equilibrium: often there is none, and the sheet shows why.
 
-use super::ironing::is_between_walls;
-use super::*;
+use super::{ironing::is_between_walls, *};
 use crate::solver::solution::neck::neck;
 use crate::units::{Amount, joined};
 

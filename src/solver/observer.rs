@@ -1,10 +1,7 @@
 //! Callbacks of a run, and the view of an evaluation that they get.
 
-use super::corrector::Pass;
-use super::step::{CUT_OFF_ZONE, elastoplastic_law};
-use super::*;
-use crate::material::PointLaw;
-use crate::material::flow::PointSnapshot;
+use super::{corrector::Pass, step::CUT_OFF_ZONE, step::elastoplastic_law, *};
+use crate::material::{PointLaw, flow::PointSnapshot};
 
 /// Receives the progress of a run and may end it; the solver itself never prints.
 pub trait Observer {

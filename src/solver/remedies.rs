@@ -1,7 +1,6 @@
 //! Remedies of a run without equilibrium: other settings from a course behind the place, until the run is past it.
 
-use super::*;
-use super::{closing::Unseen, course::Course, no_equilibrium::reached};
+use super::{closing::Unseen, course::Course, no_equilibrium::reached, *};
 use crate::units::joined;
 
 /// Progress beyond the place after which the own settings come back \[–\], the usual largest step; twice as far each time.

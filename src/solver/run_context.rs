@@ -1,7 +1,6 @@
 //! Constant data of a run: tools, thickness points, shared unknowns, fading forces.
 
-use super::*;
-use super::{closing::block_height, restraints::Grip, tearing_index::PlaneStrainStrength};
+use super::{closing::block_height, restraints::Grip, tearing_index::PlaneStrainStrength, *};
 use crate::contact::friction::Friction;
 use crate::geometry::Profile;
 use std::ops::Range;

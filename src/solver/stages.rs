@@ -1,12 +1,8 @@
 //! Sequences of stages: the sheet and the tools that stay carry over.
 
-use super::closing::{close, closed};
-use super::*;
-use super::{equilibrium::unloading, step::FADING};
-use crate::model::stage::{Beginning, Stage};
-use crate::model::tool_sizes::met;
-use crate::solver::solution::Trimmed;
-use crate::solver::state::{waiting, waiting_displacement};
+use super::{closing::close, closing::closed, equilibrium::unloading, step::FADING, *};
+use crate::model::{stage::Beginning, stage::Stage, tool_sizes::met};
+use crate::solver::{solution::Trimmed, state::waiting, state::waiting_displacement};
 use std::sync::Arc;
 
 const LEAST_ELEMENTS: usize = 2;

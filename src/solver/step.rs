@@ -1,8 +1,6 @@
 //! Start of a step: what all its iterations share.
 
-use super::restraints::BeadPosition;
-use super::run_context::references;
-use super::*;
+use super::{restraints::BeadPosition, run_context::references, *};
 use crate::element::surface::Station;
 use crate::material::elastoplastic::{Carried, ElastoplasticLaw, Operators};
 use crate::material::{Surroundings, chaboche::shifting, flow::PointState};

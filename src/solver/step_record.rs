@@ -1,7 +1,6 @@
 //! Record of a converged step.
 
-use super::restraints::Seal;
-use super::*;
+use super::{restraints::Seal, *};
 
 pub(super) fn record(converged: &Converged, before: &Evaluation, next: &State, rejected: usize) -> StepRecord {
     let Converged { step, trial, evaluation, outcome, .. } = converged;

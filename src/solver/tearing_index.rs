@@ -25,8 +25,7 @@
 //! Places that two tools iron are left out, because half of both pressures is in their stress. Superplastic sheets are held
 //! together by their rate and have no index. Voids weaken a sheet besides: they are judged by themselves.
 
-use super::ironing::is_between_walls;
-use super::*;
+use super::{ironing::is_between_walls, *};
 
 /// Least radius over the thickness, on a corner without one \[–\].
 const LEAST_RADIUS: f64 = 0.1;

@@ -2,8 +2,7 @@
 //!
 //! Each rule gives a state's excess over it as a number that is continuous in time; its root is the instant of the end.
 
-use super::no_equilibrium::reached;
-use super::*;
+use super::{no_equilibrium::reached, *};
 use crate::forming_limit::Onset;
 use crate::solver::solution::neck::{Neck, neck};
 use crate::units::Amount;

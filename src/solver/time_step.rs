@@ -2,8 +2,7 @@
 //!
 //! Iterations, contact changes, strain increment and closing gaps of a step decide the length of the next, in process time.
 
-use super::*;
-use super::{corrector::patience, end_search::EndSearch};
+use super::{corrector::patience, end_search::EndSearch, *};
 
 /// Iterations up to which the next step may grow, and above which it shrinks.
 const EASY: usize = 8;

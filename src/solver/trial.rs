@@ -1,10 +1,8 @@
 //! Unknowns of a step, and memory between its iterations.
 
-use super::line_search::LineSearch;
-use super::*;
+use super::{line_search::LineSearch, *};
 use crate::geometry::Nearest;
-use crate::material::elastoplastic::Trial as PointMemory;
-use crate::material::flow::Iterate;
+use crate::material::{elastoplastic::Trial as PointMemory, flow::Iterate};
 use crate::model::ReleaseStiffness;
 
 #[derive(Clone, Copy, Debug, Default)]

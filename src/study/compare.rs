@@ -1,7 +1,6 @@
 //! Several runs and measured curves side by side: numbers, differences beyond their error bars, and pictures.
 
-use super::verify::{Outcome, verify};
-use super::{run::Silent, *};
+use super::{run::Silent, verify::Outcome, verify::verify, *};
 use crate::assess::{self, FailureMode, error_bars::ErrorBars};
 use crate::case::comparison::{ComparedQuantity, Spec};
 use crate::plot::chart::{Panel, Series, Style};

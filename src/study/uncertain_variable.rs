@@ -9,8 +9,7 @@
 //! ```
 //! Without MIDDLE or MEAN it is the case's own value; a HALF or DEVIATION in % is of the middle. `+-` and `+/-` are ±.
 
-use super::variable::{NumberReader, split_number};
-use super::*;
+use super::{variable::NumberReader, variable::split_number, *};
 use crate::grade;
 use statrs::distribution::{ContinuousCDF, Normal};
 use toml_edit::Value;

@@ -1,8 +1,7 @@
 //! Verdict for the user of one case: findings, what hangs on friction and hardening, and advice that was tried.
 
 use super::{advice::advise, *};
-use crate::assess::error_bars::{ErrorBars, weighed};
-use crate::assess::{Answer, Finding, after, sensitivity};
+use crate::assess::{Answer, Finding, after, error_bars::ErrorBars, error_bars::weighed, sensitivity};
 use rayon::prelude::*;
 
 /// Judges a solution: less and more friction and less hardening are solved, advice on red and amber rows if it is wanted.

@@ -1,7 +1,6 @@
 //! Units of the solver's numbers, as they are spelled at the end of headers, and of texts: SI or US customary.
 
-use super::dimension::{INCH, LBF};
-use super::{parse, types::KINDS};
+use super::{dimension::INCH, dimension::LBF, parse, types::KINDS};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 macro_rules! units {

@@ -1,7 +1,6 @@
 //! `[blank]`.
 
-use super::section::Section;
-use super::*;
+use super::{section::Section, *};
 use crate::model::{Grading, Preform, ThicknessRule};
 
 /// Sheet before forming: flat, a tube, or of any meridian.

@@ -1,7 +1,6 @@
 //! `[forming_limit]`: exactly one curve, computed once.
 
-use super::material::{blame, not_one};
-use super::{Deserialize, JsonSchema, Result, Source};
+use super::{Deserialize, JsonSchema, Result, Source, material::blame, material::not_one};
 use crate::forming_limit::{Curve, Hill, KeelerBrazier, Kind, MarciniakKuczynski, Points, Sheet, Strain, Swift};
 use crate::material::{Material, flow::ROOM_TEMPERATURE};
 use crate::model::Heat;

@@ -1,7 +1,6 @@
 //! Opening of a die: entry from the face to the throat, land, relief.
 
-use super::tools::{Die, ToolContext};
-use super::*;
+use super::{tools::Die, tools::ToolContext, *};
 use crate::geometry::{Entry, Opening};
 
 /// Relief behind a land \[rad\]; declared: 3°.

@@ -1,7 +1,6 @@
 //! `[blank] earlier_run`: the sheet that another run has formed.
 
-use super::points::Named;
-use super::*;
+use super::{points::Named, *};
 use crate::case::files;
 use crate::model::Preform;
 use crate::numerics::running_sums;

@@ -1,9 +1,7 @@
 //! `[[blank.zones]]`: parts of a tailored blank.
 
-use super::material::only;
-use super::*;
-use crate::material::law::Family;
-use crate::material::{Hardening, Material, hardening::HardeningTable};
+use super::{material::only, *};
+use crate::material::{Hardening, Material, hardening::HardeningTable, law::Family};
 
 /// Part of a flat blank that is thinner or hardens otherwise, as of a tailored one; its middle lies where that of the blank does.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]

@@ -11,8 +11,7 @@ mod cockcroft_latham;
 mod oyane;
 mod rice_tracey;
 
-use crate::material::law::prelude::*;
-use crate::material::{YieldCriterion, flow::Triple};
+use crate::material::{YieldCriterion, flow::Triple, law::prelude::*};
 
 family! {
     /// Criterion of ductile fracture: exactly one.

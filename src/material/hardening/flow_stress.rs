@@ -1,7 +1,6 @@
 //! Yield stress with its slope, and the formulas that several hardening laws share.
 
-use crate::material::Rate;
-use crate::material::law::{LawError, require};
+use crate::material::{Rate, law::LawError, law::require};
 use crate::units::rounded;
 
 /// Yield stress and its slope at one strain.

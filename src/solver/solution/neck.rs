@@ -1,7 +1,6 @@
 //! Detection of a neck: one place thins alone.
 
-use crate::solver::state::nonlocal_average::NonlocalAverage;
-use crate::solver::*;
+use crate::solver::{state::nonlocal_average::NonlocalAverage, *};
 
 /// Least thickness strain of a neck over the mean of its surroundings \[–\].
 const NECK: f64 = 1.6;

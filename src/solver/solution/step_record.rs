@@ -1,8 +1,7 @@
 //! Record of every step: forces, work, shares and measures of the solution's quality.
 
 use super::{Energy, Heat};
-use crate::model::Blank;
-use crate::model::{PressureCap, Role};
+use crate::model::{Blank, PressureCap, Role};
 
 /// One accepted step; forces, works and heat are of the whole section, as [`Extent`](crate::model::Extent) has it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

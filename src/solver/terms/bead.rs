@@ -1,8 +1,7 @@
 //! Draw beads: line restraints across the flange, regularised like friction.
 
 use crate::contact::friction::direction;
-use crate::solver::evaluation::BeadForce;
-use crate::solver::*;
+use crate::solver::{evaluation::BeadForce, *};
 
 /// Closing force of the beads, taken from the holder's \[N, or N/mm\].
 pub fn closing_force(step: &Step) -> f64 {

@@ -4,8 +4,7 @@
 //! force N t/2 on the membrane strains: the in-plane stress is lower by the mean normal stress p/2.
 
 use crate::contact::{ContactForce, ContactPoint};
-use crate::element::surface::{add_position_second, add_thickness_second};
-use crate::element::{Vector6, kinematics::Matrix6};
+use crate::element::{Vector6, kinematics::Matrix6, surface::add_position_second, surface::add_thickness_second};
 use crate::solver::evaluation::{Contact, ContactPosition, Linearisation};
 use crate::solver::*;
 use nalgebra::Matrix3;

@@ -2,9 +2,7 @@
 
 use crate::element::{Vector6, kinematics::Matrix6};
 use crate::material::flow::{Metric, YieldCondition};
-use crate::solver::evaluation::HeldRate;
-use crate::solver::restraints::Seal;
-use crate::solver::*;
+use crate::solver::{evaluation::HeldRate, restraints::Seal, *};
 use std::f64::consts::TAU;
 
 /// Adds the gas pressure on the current sheet; returns the largest force on a node.

@@ -1,12 +1,8 @@
 //! Internal forces of the sheet: every element strained to the trial positions by the law of its metal.
 
-use crate::element::kinematics::{EPS_S, EPS_T};
-use crate::element::section::Section;
+use crate::element::{kinematics::EPS_S, kinematics::EPS_T, section::Section};
 use crate::material::PointLaw;
-use crate::solver::corrector::LARGEST_MOVE;
-use crate::solver::evaluation::Linearisation;
-use crate::solver::step::elastoplastic_law;
-use crate::solver::*;
+use crate::solver::{corrector::LARGEST_MOVE, evaluation::Linearisation, step::elastoplastic_law, *};
 use std::ops::Range;
 
 /// Least tension of a membrane in its matrix, over its yield force \[–\]; of the flow law it fades once the velocity norm is

@@ -1,11 +1,9 @@
 //! Hardening laws fitted to tension tests, with a power of the rate if the tests differ in their rate.
 
-use super::flow_curve::{FlowCurve, straight_line};
-use super::{Estimate, estimates, tension::FlowPoint};
+use super::{Estimate, estimates, flow_curve::FlowCurve, flow_curve::straight_line, tension::FlowPoint};
 use crate::material::hardening::{Hardening, HockettSherby, Ludwik, Swift, Voce};
 use crate::material::rate::{PowerRate, Rate};
-use crate::numerics::least_squares::{Parameter, minimise};
-use crate::numerics::statistics::block_means;
+use crate::numerics::{least_squares::Parameter, least_squares::minimise, statistics::block_means};
 use crate::study::{Result, StudyError, Watch, ensure};
 use statrs::statistics::Statistics;
 use std::{cmp::Ordering, str::FromStr};
