@@ -1,7 +1,6 @@
 //! Tools whose line ends where the sheet passes it: they act only where they are drawn.
 
-use crate::common::prelude::*;
-use crate::common::{random_die::between, random_work::make_elastic};
+use crate::common::{prelude::*, random_die::between, random_work::make_elastic};
 
 /// A strip bent over a V by a nose without a wall, drawn to its full quarter or only as far as some share of the bend.
 fn v_bend(seed: u64) -> (Model, f64) {

@@ -1,7 +1,6 @@
 //! Sheets that are not the same all along: tailored blanks, and those that an earlier run has formed.
 
-use crate::common::cli::{folder, stampflow};
-use crate::common::prelude::*;
+use crate::common::{cli::folder, cli::stampflow, prelude::*};
 use stampflow::model::Zone;
 
 /// Trust: equilibrium of a pulled strip, the same force N = (2/√3) σ_y(2ε/√3) t₀ exp(−ε) in every zone, in plane strain.
