@@ -211,8 +211,7 @@ fn every_finding_has_a_row_on_the_page_of_the_verdict() {
     let made = Regex::new(r#"(?:judged|warning|rated|doubted)\(\s*"([a-z_]+)",\s*"([^"]+)""#).expect("a pattern");
     let mut found = 0;
     for path in files("src/assess", "rs") {
-        let code = fs::read_to_string(&path).expect("readable");
-        for parts in made.captures_iter(&code) {
+        for parts in made.captures_iter(&fs::read_to_string(&path).expect("readable")) {
             let row = format!("\n| {} `{}` |", &parts[2], &parts[1]);
             assert!(page.contains(&row), "{} makes {row}", path.display());
             found += 1;

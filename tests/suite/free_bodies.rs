@@ -13,8 +13,7 @@ fn the_tools_of_every_stage_hold_the_sheet_in_balance() {
     let pressed = ["lower", "upper"].map(|f| parsed(&format!("{cup}\n[gas]\n{f} = {{ pressure = \"2 MPa\" }}\n"), &[]));
     let [mut judged, mut with_gas, mut fading] = [0; 3];
     for case in all.chain(shipped).chain(pressed).chain([restruck]) {
-        let run = solved_once(&case);
-        for (i, stage) in run.stages.iter().enumerate() {
+        for (i, stage) in solved_once(&case).stages.iter().enumerate() {
             let Model { blank, gas, release, .. } = &stage.model;
             if blank.edge != Edge::Free || blank.meridian.is_some() || release.is_some() {
                 continue;

@@ -18,8 +18,7 @@ fn by_key<'a>(list: &'a Value, key: &str) -> &'a Value {
 fn a_run_prints_its_summary_as_json_an_array_for_several() {
     let dir = folder(CUP);
     let one = json(dir.path(), "run cases/cup.toml --json");
-    let written = read_json(dir.path().join("out/cup/summary.json"));
-    for (key, value) in written.as_object().unwrap() {
+    for (key, value) in read_json(dir.path().join("out/cup/summary.json")).as_object().unwrap() {
         assert_eq!(&one[key], value, "{key}");
     }
     assert_eq!(one["folder"], "out/cup");

@@ -108,8 +108,7 @@ fn residual_stress_and_reverse_bending_are_the_closed_form() {
     let mut strip = Strip::new(layers);
     let curvature = 6.0 * first;
     let [_, moment] = strip.strain(0.0, curvature);
-    let released = moment / (modulus * T * T * T / 12.0);
-    let [force, rest] = strip.strain(0.0, -released);
+    let [force, rest] = strip.strain(0.0, -moment / (modulus * T * T * T / 12.0));
     assert!(force.abs() < 1e-9 * s * T && rest.abs() < 1e-9 * moment, "{force} {rest}");
     // The element's moment is the exact one within the rule's error; so then is the elastic line.
     let exact = s * T * T / 4.0 * (1.0 - 1.0 / 36.0 / 3.0);
@@ -140,8 +139,7 @@ fn a_strip_bent_to_a_ring_springs_open_by_its_moment() {
         let radius = 1.0 / curvature;
         let ring = CutRing { radius, thickness: T, height: 1e12, moment_hoop: moment, moment_meridional: 0.5 * moment };
         let opening = ring.opening(STRIP);
-        let unbent = opening / (TAU * radius * radius);
-        let [_, rest] = strip.strain(0.0, -unbent);
+        let [_, rest] = strip.strain(0.0, -opening / (TAU * radius * radius));
         assert!(rest.abs() < 1e-9 * moment, "{curvature}: {rest} of {moment}");
         let exact = s * T * T / 4.0 * (1.0 - (first / curvature).powi(2) / 3.0);
         let closed = TAU * radius * radius * exact / (modulus * T.powi(3) / 12.0);

@@ -133,8 +133,7 @@ fn heat_is_conducted_along_the_sheet() {
         assert!((e.temperature - exact).abs() < 0.01 * 50.0, "{} {exact}", e.temperature);
     }
     let heat = run.steps.last().expect("steps").heat;
-    let moved = 50.0 * CAPACITY * 40.0 * 2.0 / PI;
-    assert!(heat.stored.abs() < 1e-9 * moved, "{heat:?}");
+    assert!(heat.stored.abs() < 1e-9 * 50.0 * CAPACITY * 40.0 * 2.0 / PI, "{heat:?}");
 
     let mut error = |elements: usize, step: f64| {
         model.blank.elements = elements;

@@ -28,8 +28,7 @@ fn the_index_of_a_wide_strip_is_one_at_its_load_maximum() {
 }
 
 fn judged(case: &Case) -> (f64, Light) {
-    let stages = solve(&case.stages, &mut ());
-    let found = assess::after(case, &stages);
+    let found = assess::after(case, &solve(&case.stages, &mut ()));
     let row = row(&found, "tearing");
     (0.01 * row.value().expect("a number"), row.light)
 }
