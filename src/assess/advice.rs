@@ -8,8 +8,9 @@ const MOST: usize = 3;
 const WORTH: f64 = 0.05;
 const POINTS: f64 = 2.0;
 /// Rows that ask for less pull: no shop holds the sheet more against them.
-const PULLED: [&str; 5] = ["tearing", "forming_limit", "thinning", "fracture", "ironing"];
-const HOLDS_MORE: [(&str, bool); 3] = [("holder force", true), ("bead force", true), ("holder gap", false)];
+const PULLED: [&str; 6] = ["tearing", "forming_limit", "thinning", "fracture", "ironing", "localisation"];
+const PULLS: [(&str, bool); 4] =
+    [("pressure", true), ("holder force", true), ("bead force", true), ("holder gap", false)];
 
 /// Rows that no change of a size moves: input that is missing, drives, and the solution itself.
 pub(super) const NO_DESIGN: [&str; 6] =
@@ -34,9 +35,10 @@ pub fn is_open(row: &Finding) -> bool {
 
 /// Puts the changes that help beside the worst row that each improves, the best first.
 pub fn advise(findings: &mut [Finding], tried: &[Tried]) {
-    let base = score(findings);
+    let own = |key: &str| judgements(findings).find(|own| own.key == key).map_or(Light::Green, |own| own.light);
+    let worsens = |new: &Finding| new.light > own(new.key).max(Light::Green);
     let mut helpful: Vec<(&Tried, usize, f64)> = Vec::new();
-    for one in tried.iter().filter(|one| score(&one.findings) <= base) {
+    for one in tried.iter().filter(|one| !judgements(&one.findings).any(worsens)) {
         let open = findings.iter().enumerate().filter(|(_, row)| is_open(row));
         let gains = open.filter_map(|(i, row)| Some((i, one.gain(row)?)));
         helpful.extend(gains.min_by_key(|(i, _)| Reverse(findings[*i].light)).map(|(row, gain)| (one, row, gain)));
@@ -63,8 +65,8 @@ pub fn advise(findings: &mut [Finding], tried: &[Tried]) {
 
 impl Tried {
     fn gain(&self, row: &Finding) -> Option<f64> {
-        let holds_more = HOLDS_MORE.contains(&(self.size, self.is_more)) && PULLED.contains(&row.key);
-        let new = judgements(&self.findings).find(|n| n.key == row.key && n.light > Light::Grey && !holds_more)?;
+        let pulls = PULLS.contains(&(self.size, self.is_more)) && PULLED.contains(&row.key);
+        let new = judgements(&self.findings).find(|n| n.key == row.key && n.light > Light::Grey && !pulls)?;
         let by = row.limits().and_then(|limits| {
             let by = row.value()? - new.value()?;
             Some(if limits.sense == Sense::AtMost { by } else { -by })

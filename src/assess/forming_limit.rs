@@ -49,7 +49,12 @@ fn judged(text: impl Into<String>) -> Finding {
 }
 
 pub(super) fn margin(run: &Run) -> Option<Finding> {
-    let Some(Nearest { curve, stage, assessment, .. }) = &run.nearest else { return Some(missing()) };
+    let Some(Nearest { curve, stage, assessment, .. }) = &run.nearest else {
+        let advice =
+            "write `[forming_limit]` with points measured on the coil, or a computed curve such as hill = true";
+        let limit = "a forming limit, which this case has not";
+        return Some(judged("no forming limit").light(Light::Grey).limit(limit).advice(advice));
+    };
     let name = if curve.is_usual { format!("{}, computed, not measured", curve.name) } else { curve.name.to_owned() };
     if let (Some(open), None) = (assessment.open(), assessment.reached) {
         return Some(unjudged(&name, open, &place(run.stages, open.s0)));
@@ -90,11 +95,4 @@ fn unjudged(name: &str, open: &Judged, at: &str) -> Finding {
 
 pub(super) fn other_condition() -> String {
     format!("write {} in [material] (bcc for steel)", YieldCondition::FCC)
-}
-
-fn missing() -> Finding {
-    judged("no forming limit")
-        .light(Light::Grey)
-        .limit("a forming limit, which this case has not")
-        .advice("write `[forming_limit]` with the measured points of the coil, or a computed curve such as hill = true")
 }

@@ -37,11 +37,8 @@ fn advice(last: &StageSolution) -> &'static str {
             "blank.theory = \"bending\"; or a holder with friction, a bead or a clamped edge that pulls the strip tight"
         }
         StopKind::Arched => "a holder that keeps the legs from swinging, a larger gap of punch and die, or less travel",
-        StopKind::DrawnThrough if last.model.tool(Role::Holder).is_none() => {
-            "[stop] drawn_through = true if you want that; else a shorter travel, or a larger blank"
-        }
         StopKind::DrawnThrough => {
-            "[stop] drawn_through = true if you want that; else a shorter travel, a larger blank or more holder force"
+            "[stop] drawn_through = true if you want that; else a shorter travel, a larger blank, or a holder with more force"
         }
         StopKind::ToolsClosed if !last.model.further.is_empty() => {
             "another drive or `gap` of the further tool, if the stop names it; else a shorter travel"

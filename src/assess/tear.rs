@@ -166,7 +166,6 @@ fn on_part(stage: &StageSolution, s0: f64) -> String {
 }
 
 const UPRIGHT: f64 = 0.9998;
-
 const LEVEL: f64 = 0.342;
 
 /// Nose of a punch, its innermost corner that begins level, and whether it ends in an upright wall.

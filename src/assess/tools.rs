@@ -4,10 +4,9 @@ use super::tear::{nose, place};
 use super::*;
 use crate::geometry::Point;
 use crate::measure::thickest;
-use crate::model::{Friction, tool_sizes::apart};
+use crate::model::{Friction, tool_sizes::apart, tool_sizes::throat};
 use crate::numerics::bisect;
 use crate::rules::{IRONING_LIMIT, SIZED, strip_clearance};
-use crate::solver::solution::NodeRecord;
 
 /// Coefficient of dry steel on steel \[–\].
 const DRY: f64 = 0.3;
@@ -16,6 +15,10 @@ const LEAST: f64 = 1.0 - 1e-6;
 /// Overlap of tools over the thickness that counts \[–\], and number of travels at which it is looked for.
 const OVERLAP: f64 = 1e-3;
 const LOOKS: usize = 16;
+/// Force of a tool that does not press over the tensile strength, beyond rounding: declared [mm², or mm in plane strain].
+const IDLE: f64 = 1e-6;
+/// Gap of closed tools over the thickness below which they coin the sheet instead of bending it, declared \[–\].
+const SQUEEZED: f64 = 0.95;
 /// Gap over the thickness above which a wall is neither straight nor to size, declared \[–\].
 const WIDE: f64 = 1.5;
 /// Reduction of the thickness above which a wall counts as ironed \[–\].
@@ -66,30 +69,38 @@ pub(super) fn overlap(model: &Model) -> Option<Finding> {
 }
 
 pub(super) fn idle(run: &Run) -> Option<Finding> {
-    let last = run.stages.last().filter(|last| last.stop.is_complete())?;
-    let touches = |name: &str| {
-        run.stages.iter().flat_map(StageSolution::further_peaks).any(|(_, other, peak)| other == name && peak > 0.0)
+    run.stages.last().filter(|last| last.stop.is_complete())?;
+    let least = IDLE * estimate::flange_strength(run.case.model());
+    let is_new = |i: usize, role: Role| i == 0 || run.case.stages[i].begin.meets.contains(&role);
+    // Stages of a tool, until another has its place.
+    let stages = |(first, role): (usize, Role)| {
+        let own = formed(run.stages).skip_while(move |(i, _)| *i < first);
+        let own = own.take_while(move |(i, _)| *i == first || !is_new(*i, role));
+        own.filter_map(move |(_, stage)| Some((stage, stage.model.tool_index(role)?)))
     };
-    let names: Vec<&str> = last.model.further.iter().map(String::as_str).filter(|name| !touches(name)).collect();
-    let name = *names.first()?;
-    let frames = formed(run.stages).flat_map(|(_, stage)| stage.frames.iter().map(move |frame| (stage, frame)));
-    let near = frames.filter_map(|(stage, frame)| {
-        let tools = stage.model.tools.iter().zip(&frame.tool_displacement);
-        let (tool, moved) = tools.into_iter().find(|(tool, _)| stage.model.name_of(tool.role) == name)?;
-        let gap = |node: &NodeRecord| tool.profile.closest(Point::new(node.r, node.z) - moved).distance;
-        let gaps = frame.nodes.iter().map(|node| gap(node) - 0.5 * node.thickness);
-        Some((gaps.fold(f64::INFINITY, f64::min), instant(stage, frame.travel, frame.time), &tool.motion))
+    let presses = |own| stages(own).any(|(stage, j)| stage.pressing(j).into_iter().any(|force| force > least));
+    let tools = formed(run.stages).flat_map(|(i, stage)| stage.model.tools.iter().map(move |tool| (i, tool.role)));
+    let tools = tools.filter(|(_, role)| !matches!(role, Role::Holder | Role::Pad));
+    let idle: Vec<_> = tools.filter(|&(i, role)| is_new(i, role) && !presses((i, role))).collect();
+    let first = *idle.first()?;
+    let all = stages(first).flat_map(|(on, j)| on.start.iter().chain(&on.frames).map(move |frame| (on, j, frame)));
+    let near = all.map(|(stage, j, frame)| {
+        let (tool, moved) = (&stage.model.tools[j].profile, frame.tool_displacement[j]);
+        let gap = |node: &NodeRecord| tool.closest(Point::new(node.r, node.z) - moved).distance - 0.5 * node.thickness;
+        (frame.nodes.iter().map(gap).fold(f64::INFINITY, f64::min), instant(stage, frame.travel, frame.time))
     });
-    let (gap, at, motion) = near.min_by(|a, b| a.0.total_cmp(&b.0))?;
-    let drive = if *motion == Motion::Fixed { "it stands: give it a drive" } else { "a longer way, more force" };
-    let names = joined(names, " and the ");
-    let text = format!("the sheet never touches the {names}; the {name} comes within {{}} of it, at {at}");
-    let judged = Finding::judged("idle_tool", "Idle tool", text).number(Amount::place(gap)).light(Light::Amber);
-    Some(judged.limit("in contact").source("the run").advice(format!("{drive}, or a smaller `gap`")))
+    let (gap, at) = near.min_by(|a, b| a.0.total_cmp(&b.0))?;
+    let name = |(i, role): &(usize, Role)| run.of_stage(run.stages[*i].model.name_of(*role).into(), *i);
+    let names = joined(idle.iter().map(name), " and the ");
+    let text = format!("the sheet never presses on the {names}; it comes within {{}} of the {}, at {at}", name(&first));
+    let light = if idle.iter().any(|own| own.1 == Role::Punch) { Light::Red } else { Light::Amber };
+    let judged = Finding::judged("idle_tool", "Idle tool", text).number(Amount::place(gap.max(0.0))).light(light);
+    Some(judged.limit("in contact").source("the run").advice("another size, drive or `gap`, or do without it"))
 }
 
 pub(super) fn clearance(run: &Run) -> Option<Finding> {
     let blank = &run.case.model().blank;
+    let rings = run.stages.iter().any(|stage| estimate::has_land(&stage.model)).then_some("Ironing judges the rings");
     let judged = |i: usize, stage: &StageSolution| {
         let (model, mut travel) = (&stage.model, stage.model.travel);
         // New tools of a later stage begin where they touch the sheet.
@@ -98,27 +109,30 @@ pub(super) fn clearance(run: &Run) -> Option<Finding> {
             let moved = |role: Role| tools.clone().find(|(tool, _)| tool.role == role).map_or(0.0, |(_, by)| by.y);
             travel = moved(Role::Punch) - moved(Role::Die);
         }
-        let gap = estimate::clearance(model, travel)? / blank.thickness;
-        // A hole's wall is thinner than its sheet: a narrow gap irons it to size.
-        if gap < LEAST && (estimate::has_land(model) || blank.has_hole()) {
+        let (gap, die) = (estimate::clearance(model, travel)? / blank.thickness, model.tool(Role::Die)?);
+        // Rings, and a throat in less than t, iron the wall.
+        if estimate::has_land(model) || (gap < LEAST && throat(die).is_some()) {
             return None;
         }
         // A straight wall begins where nose and shoulder have passed each other.
-        let shoulder = model.tool(Role::Die)?.profile.corners().map(|arc| arc.radius).fold(0.0, f64::max);
+        let shoulder = die.profile.corners().map(|arc| arc.radius).fold(0.0, f64::max);
         let upright = nose(stage).is_some_and(|(nose, upright)| upright && model.travel > nose.radius + shoulder);
-        let wide = if upright { WIDE / LEAST } else { f64::INFINITY };
         let wall = stage.frames.last().and_then(thickest).map(|(wall, _)| wall / blank.thickness);
         let wall = wall.filter(|wall| upright && *wall < gap);
-        let sizes = |wall| format!("; the wall is {} thick at most: nothing sizes it", Amount::thicknesses(wall));
-        let text = run.of_stage("{} between punch and die".into(), i) + &wall.map_or_else(String::new, sizes);
+        let sizes = |wall| format!("the wall is {} thick at most: nothing sizes it", Amount::thicknesses(wall));
+        let text = run.of_stage("{} between punch and die".into(), i);
+        let text = joined([text, wall.map_or_else(String::new, sizes), rings.unwrap_or_default().into()], "; ");
         let number = Amount::thicknesses(gap).to(Digits::Decimals(2));
         let judged = Finding::judged("clearance", "Clearance", text).number(number);
-        let judged = judged.source("a sheet that does not thin is ironed in less; 1.5 t: declared");
+        let judged = judged.source("closed tools squeeze a sheet in less; 0.95 t, 1.5 t: declared");
+        if gap < LEAST {
+            return Some(judged.at_least(1.0, SQUEEZED).advice("a gap of 1 t or more between the closed tools"));
+        }
         let limit = if upright { format!("; {WIDE} t at most beside a straight wall") } else { String::new() };
-        let judged = if gap > LEAST { judged.at_most(wide, None) } else { judged.light(Light::Amber) };
         let sized = if blank.has_hole() { 1.0 } else { worded(model.geometry, SIZED, strip_clearance(1.0).value) };
-        let throat = Amount::size(2.0 * (sized * blank.thickness + extent(stage.model.tool(Role::Punch)?).1));
+        let throat = Amount::size(2.0 * (sized * blank.thickness + extent(model.tool(Role::Punch)?).1));
         let advice = format!("a gap of {sized} t, throat {throat} wide: `--clearance {sized}t` of `stampflow new`");
+        let judged = judged.at_most(if upright { WIDE / LEAST } else { f64::INFINITY }, None);
         Some(judged.limit(format!("1 t at least{limit}")).advice(advice))
     };
     let new = run.stages.iter().enumerate().filter(|(i, stage)| *i == 0 || stage.model.release.is_none());

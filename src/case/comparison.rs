@@ -152,10 +152,6 @@ pub struct Compare {
 
 const EXAMPLE: &str = "write for example travel_mm,punch_force_kN in the first line and 12.5,30.1 below it";
 
-pub(super) fn specs(file: &CaseFile, limited: bool, source: &source::Source) -> Result<Vec<Spec>> {
-    file.compare.iter().enumerate().map(|(i, compare)| compare.spec(&format!("compare.{i}"), limited, source)).collect()
-}
-
 fn provenance(path: &Path, key: &str, source: &source::Source) -> Result<Option<Source>> {
     let sources = path.with_file_name("sources.toml");
     let unreadable = |why: &str| {
@@ -171,7 +167,7 @@ fn provenance(path: &Path, key: &str, source: &source::Source) -> Result<Option<
 }
 
 impl Compare {
-    fn spec(&self, path: &str, limited: bool, source: &source::Source) -> Result<Spec> {
+    pub(super) fn spec(&self, path: &str, limited: bool, source: &source::Source) -> Result<Spec> {
         let Self { reference, quantity, x, y, range, tolerance, band, error, reason, optional, demonstration } =
             self.clone();
         let (key, folder) = (format!("{path}.reference"), source.folder.path);

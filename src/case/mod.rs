@@ -142,9 +142,11 @@ pub fn parse_with(text: &str, name: &str, overrides: &[String], files: &dyn File
     let taken = library::complete(&mut file, &source)?;
     let stages = file.stages(&source)?;
     let r_values = file.material.r_values(&source);
+    let limited = stages[0].model.forming_limit.is_some();
+    let spec = |(i, one): (usize, &comparison::Compare)| one.spec(&format!("compare.{i}"), limited, &source);
     Ok(Case {
         name: path.file_stem().map_or_else(|| "case".into(), |stem| stem.to_string_lossy().into_owned()),
-        compare: comparison::specs(&file, stages[0].model.forming_limit.is_some(), &source)?,
+        compare: file.compare.iter().enumerate().map(spec).collect::<Result<_>>()?,
         press: file.press_rating(&source)?,
         springback: file.springback_tolerances(&source)?,
         sources: sources::sources(&file, taken, &source)?,

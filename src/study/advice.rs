@@ -3,7 +3,7 @@
 use super::{variable::split_number, verdict::is_known, *};
 use crate::assess::advice::{self, Tried, is_open};
 use crate::assess::{Finding, error_bars::ErrorBars, error_bars::answered, judgements};
-use crate::model::{Edge, Role};
+use crate::model::{Edge, Role, tool_sizes::throat};
 use crate::solver::solution::StageSolution;
 use rayon::prelude::*;
 
@@ -54,8 +54,9 @@ pub(super) fn advise(solution: &Solution, bars: Option<&ErrorBars>, findings: &m
     changes.truncate(RUNS.min(WORK / work(solution).max(1)));
     let tried = changes.into_par_iter().with_max_len(1).filter_map(|(is_more, (words, size, settings))| {
         let case = case::parse(&solution.case.text, &solution.case.path.to_string_lossy(), &settings).ok()?;
-        let solution = BaseCase::solve(case, watch).ok().filter(is_known)?;
-        Some(Tried { words, size, is_more, findings: answered(&solution, bars).1 })
+        let (answer, findings) = answered(&BaseCase::solve(case, watch).ok().filter(Solution::is_complete)?, bars);
+        let fails = matches!(answer.failures.first(), Some(FailureMode::Tears | FailureMode::Wrinkles));
+        (!fails).then_some(Tried { words, size, is_more, findings })
     });
     let tried: Vec<Tried> = tried.collect();
     if !watch.wants_to_stop() {
@@ -69,10 +70,11 @@ fn settings(case: &Case, &(words, keys, change): &Change) -> Option<(String, &'s
     for (path, value) in keys.iter().flat_map(|key| case.written(key)) {
         let (old, unit) = split_number(&value)?;
         let new = significant(change(old), if (0.8..1.2).contains(&(change(old) / old)) { 3 } else { 2 });
-        // A finished part needs its blank, a clamped one the die's edge.
+        // A finished part needs its blank, a clamped one the die's edge, tools that close their travel.
         let is_held = case.model().blank.edge == Edge::Clamped && path != "blank.hole_diameter";
         let is_kept = path.starts_with("blank.") && (case.finished.height.is_some() || is_held);
-        (new != old && !is_kept).then_some(())?;
+        let is_closed = words == "travel" && case.model().tool(Role::Die).is_some_and(|die| throat(die).is_none());
+        (new != old && !is_kept && !is_closed).then_some(())?;
         let variable = Variable::new(&path, unit.to_owned());
         all.push(variable.setting(&written(new)));
         shown = Some(variable.display(new));

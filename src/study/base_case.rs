@@ -89,8 +89,7 @@ impl BaseCase {
 }
 
 pub(super) fn read_text(path: &Path, help: &str) -> Result<String> {
-    let fail = |error| StudyError::new(format!("cannot read {}: {error}", path.display()), files::remedy(&error, help));
-    Disk.text(path, files::CASE).map_err(fail)
+    Disk.text(path, files::CASE).map_err(|error| StudyError::unreadable(path, &error, help))
 }
 
 pub(super) fn short_hash(all: impl IntoIterator<Item = impl AsRef<[u8]>>) -> String {

@@ -1,6 +1,7 @@
 //! Charts of studies: numbers over a variable, process windows, tornado, search trials, histograms.
 
 use super::{run::response_key, *};
+use crate::numerics::interpolated;
 use crate::plot::Axis;
 use crate::plot::chart::{Annotation, AnnotationKind, Color, Panel, Scale, Series, Style, bounds};
 use crate::plot::palette::{BLACK, GREY, color, pale};
@@ -92,6 +93,7 @@ pub(super) fn trends(
 fn window(sweep: &Sweep, runs: &RunTable, [x, y]: [usize; 2]) -> Panel {
     let axes = [x, y].map(|i| &sweep.axes[i]);
     let [along, up] = axes.map(|axis| &axis.positions);
+    let [columns, rows] = [along, up].map(|all| (0..).map(f64::from).zip(all.iter().copied()).collect::<Vec<_>>());
     let mut grid: Vec<Option<&Run>> = vec![None; along.len() * up.len()];
     let mut points = Vec::new();
     for run in &runs.runs {
@@ -110,7 +112,7 @@ fn window(sweep: &Sweep, runs: &RunTable, [x, y]: [usize; 2]) -> Panel {
         let value = |run: &Option<&Run>| run.map(|run| run.numbers[place]).filter(|value| value.is_finite());
         let values: Vec<f64> = grid.iter().map(|run| value(run).unwrap_or(beyond)).collect();
         for line in contour_lines(&values, [along.len(), up.len()], limit) {
-            let points = line.into_iter().map(|(u, v)| (between(along, u), between(up, v))).collect();
+            let points = line.into_iter().map(|(u, v)| (interpolated(&columns, u), interpolated(&rows, v))).collect();
             series.push(Series::new(format!("{label} at its limit"), points, Style::curve(n)));
         }
     }
@@ -136,12 +138,6 @@ fn contour_lines(values: &[f64], [columns, rows]: [usize; 2], level: f64) -> Vec
         all.extend(points.chunk_by(|a, b| !is_border(a, b)).filter(|line| line.len() > 1).map(<[_]>::to_vec));
     }
     all
-}
-
-fn between(values: &[f64], place: f64) -> f64 {
-    let below = (place as usize).min(values.len() - 1);
-    let above = (below + 1).min(values.len() - 1);
-    values[below] + (place - below as f64) * (values[above] - values[below])
 }
 
 pub(super) fn tornado(sweep: &Sweep, runs: &RunTable) -> Charts {

@@ -1,7 +1,8 @@
 //! Errors of a study, found before anything is run.
 
-use crate::case::CaseError;
+use crate::case::{CaseError, files};
 use crate::units::shortened;
+use std::{io, path::Path};
 
 pub(super) type Result<T, E = StudyError> = std::result::Result<T, E>;
 
@@ -24,6 +25,10 @@ pub enum StudyError {
 impl StudyError {
     pub(super) fn new(what: impl Into<String>, help: impl Into<String>) -> Self {
         Self::Request { what: shortened(&what.into()), help: shortened(&help.into()) }
+    }
+
+    pub(super) fn unreadable(path: &Path, error: &io::Error, help: &str) -> Self {
+        Self::new(format!("cannot read {}: {error}", path.display()), files::remedy(error, help))
     }
 
     pub(super) fn within(self, place: impl std::fmt::Display) -> Self {

@@ -14,6 +14,7 @@ const RULES: [(ComparedQuantity, &[&str], &[&str]); 4] = [
     (ComparedQuantity::ThicknessAtRadius, &["r", "radius"], &["thickness"]),
 ];
 pub(super) const SCATTER: [&str; 6] = ["deviation", "stdev", "std", "scatter", "sd", "sigma"];
+pub(super) const OF_FILE: &str = "give the path of a CSV file";
 const OTHER: [&str; 4] = ["holder", "edge", "binder", "error"];
 const EXAMPLE: &str = "a curve has columns such as travel_mm,punch_force_kN or s0_mm,thickness_mm or travel_mm,draw_in_mm, and \
                        maybe one such as standard_deviation_kN";
@@ -21,7 +22,7 @@ const EXAMPLE: &str = "a curve has columns such as travel_mm,punch_force_kN or s
 /// Reads a measured curve, whose columns name its quantity.
 pub fn measured_curve(path: &Path) -> Result<Spec> {
     let name = path.display().to_string();
-    let text = Disk.text(path, files::CSV).map_err(|error| unreadable(&name, &error))?;
+    let text = Disk.text(path, files::CSV).map_err(|error| StudyError::unreadable(path, &error, OF_FILE))?;
     let mut csv = Csv::read(&text, "the file", EXAMPLE).map_err(|error| csv_error(&name, error))?;
     let is = |name: &str, any: &[&str]| has_word(name, any) && !has_word(name, &OTHER) && !has_word(name, &SCATTER);
     let find = |any: &[&str]| csv.header.fields.iter().find(|name| is(name, any)).map(str::to_owned);
@@ -52,10 +53,6 @@ pub(super) fn deviations(curve: &Spec, computed: &Computed) -> Option<Vec<f64>> 
 pub(super) fn csv_error(name: &str, error: CsvError) -> StudyError {
     let line = error.line.map_or_else(String::new, |line| format!(", line {line}"));
     StudyError::new(format!("{name}{line}: {}", error.what), error.help)
-}
-
-pub(super) fn unreadable(name: &str, error: &std::io::Error) -> StudyError {
-    StudyError::new(format!("cannot read {name}: {error}"), files::remedy(error, "give the path of a CSV file"))
 }
 
 pub(super) fn has_word(header: &str, any: &[&str]) -> bool {

@@ -187,8 +187,7 @@ impl FromStr for Shard {
 /// Merges the tables of all shards of a study, in the order of the designs; returns the text and the number of rows.
 pub fn merge(shards: &[PathBuf]) -> Result<(String, u64)> {
     let help = "give every shard of one study once";
-    let unreadable = |path: &Path, error| StudyError::new(format!("cannot read {}: {error}", path.display()), help);
-    let read = |path: &PathBuf| Disk.text(path, LARGEST).map_err(|error| unreadable(path, error));
+    let read = |path: &PathBuf| Disk.text(path, LARGEST).map_err(|error| StudyError::unreadable(path, &error, help));
     let texts = shards.iter().map(read).collect::<Result<Vec<_>, _>>()?;
     let (mut header, mut study) = (None, None);
     let mut all: BTreeMap<u64, (&str, &Path)> = BTreeMap::new();

@@ -82,6 +82,7 @@ fn advice_goes_with_practice_and_beyond_the_error() {
     assert_eq!(findings[at].light, Light::Amber);
     let advised = |size, is_more, gain: f64, bar: Option<f64>| {
         let (mut own, mut new) = (findings.clone(), findings.clone());
+        new[0].light = if size == "blank radius" { Light::Amber } else { new[0].light };
         let amount = &mut new[at].quantity.as_mut().expect("a number").amount;
         amount.value = used - gain;
         new[at].light = Light::Green;
@@ -91,7 +92,13 @@ fn advice_goes_with_practice_and_beyond_the_error() {
     };
     assert!(advised("holder force", false, 5.0, None) && advised("die radius", true, 5.0, Some(4.0)));
     assert!(!advised("holder force", true, 5.0, None) && !advised("holder gap", false, 5.0, None));
+    assert!(!advised("pressure", true, 5.0, None) && !advised("blank radius", false, 5.0, None));
     assert!(!advised("die radius", true, 1.5, None) && !advised("die radius", true, 5.0, Some(6.0)));
+    // What tears all the same, or costs another row, is no help.
+    let torn = made("hydroform", &[("depth", "25 mm")], &[]).solve(&mut ());
+    let (answer, rows) = judge(&torn, None, true, &());
+    assert_eq!(answer.failures.first(), Some(&FailureMode::Tears));
+    assert!(rows.iter().all(|row| !row.advice.contains("green") && !row.advice.contains("pressure")), "{rows:?}");
     let sized = solved(&["friction=0.25", "finished.height=20 mm"]);
     let [free, fixed] = [&pulled, &sized].map(|solution| row(solution, true, "tearing").advice);
     assert!(free.contains("blank radius") && !fixed.contains("blank radius"), "{free}: {fixed}");

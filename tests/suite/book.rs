@@ -38,9 +38,8 @@ fn printed(command: &str, folder: &Path) -> Vec<String> {
 /// The page as it would be if its commands were run now, and its pictures: their places in the book and what was drawn.
 fn made_anew(page: &str) -> (String, Vec<(PathBuf, Vec<u8>)>) {
     let folder = TempDir::new().expect("writable");
-    let copied =
-        Command::new("cp").args(["-r", "cases", "reference_data"]).arg(folder.path()).current_dir(ROOT).status();
-    assert!(copied.expect("runs").success());
+    let done = Command::new("cp").args(["-r", "cases", "reference_data"]).arg(folder.path()).current_dir(ROOT).status();
+    assert!(done.expect("runs").success());
     let directive = Regex::new(r"^<!-- (file|picture): (\S+) as (\S+) -->$").expect("a pattern");
     let markdown = Regex::new(r"^<!-- printed: (.+) -->$").expect("a pattern");
     let (mut anew, mut pictures, mut in_block) = (String::new(), Vec::new(), false);

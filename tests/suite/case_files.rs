@@ -64,8 +64,7 @@ fn every_reference_curve_has_its_source_and_the_columns_that_cases_ask_for() {
     for path in files("cases", "toml") {
         for spec in loaded(&path, &[]).compare.iter().filter(|spec| spec.data.is_some()) {
             let text = std::fs::read_to_string(&spec.reference).unwrap();
-            let header: Vec<&str> =
-                text.lines().find(|line| !line.starts_with('#')).expect("a header").split(',').collect();
+            let header: Vec<&str> = text.lines().find(|line| !line.starts_with('#')).expect("one").split(',').collect();
             for wanted in spec.columns.iter().chain(&spec.error) {
                 assert!(header.contains(&wanted.as_str()), "{}: {wanted}", path.display());
             }

@@ -164,10 +164,8 @@ fn every_stage_has_its_folder_and_its_row() {
         }
     }
     let rows = || fs::read_to_string(out.join("stages.csv")).unwrap().lines().map(str::to_owned).collect::<Vec<_>>();
-    let header =
-        "stage,name,stop,end_time_s,travel_mm,punch_force_N,holder_force_N,thinnest_mm,edge_r_mm,pole_height_mm";
-    let begins =
-        [header, "1,draw,full travel,5,5,", "2,retract,full travel,6,6,0,19.99", "3,apart,full travel,5,5,0,0,"];
+    let head = "stage,name,stop,end_time_s,travel_mm,punch_force_N,holder_force_N,thinnest_mm,edge_r_mm,pole_height_mm";
+    let begins = [head, "1,draw,full travel,5,5,", "2,retract,full travel,6,6,0,19.99", "3,apart,full travel,5,5,0,0,"];
     assert!(rows().len() == 4 && rows().iter().zip(begins).all(|(row, begin)| row.starts_with(begin)), "{:?}", rows());
     assert!(!out.join("summary.json").exists());
     check_calls(dir.path(), &[(&["run", "cases/cup.toml", "-q", "--set", "stages.0.punch.move=80 mm"], 3, "")]);

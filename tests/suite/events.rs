@@ -12,8 +12,7 @@ fn kinds(found: &[Event]) -> Vec<EventKind> {
 }
 
 /// A cup on its way through the die.
-const THROUGH: [EventKind; 3] =
-    [EventKind::SheetLeaves(Role::Holder), EventKind::RimOnShoulder, EventKind::RimInThroat];
+const LEAVES: [EventKind; 3] = [EventKind::SheetLeaves(Role::Holder), EventKind::RimOnShoulder, EventKind::RimInThroat];
 
 /// Steps of the load above this share of the peak: no smooth curve has them in a hundredth of the travel.
 const JUMP: f64 = 0.1;
@@ -32,7 +31,7 @@ fn jumps(stage: &StageSolution) -> Vec<[f64; 2]> {
 fn the_jump_of_a_redraws_force_is_the_rim_that_meets_the_die() {
     let solution = solved("redraw", &["stop.drawn_through=false", "tools.punch.travel=45 mm"]);
     let [first, second] = &solution.stages[..] else { panic!("two stages") };
-    assert_eq!(kinds(&events(first)), THROUGH[..2]);
+    assert_eq!(kinds(&events(first)), LEAVES[..2]);
     assert!(jumps(first).is_empty());
     let found = events(second);
     let meets = found.iter().find(|event| event.kind == EventKind::RimMeetsDie).expect("the rim meets the die");
@@ -58,7 +57,7 @@ fn a_rim_in_the_air_runs_onto_no_shoulder() {
 fn events_stand_where_other_figures_have_them() {
     let cup = &solved("cup", &[]).stages[0];
     let found = events(cup);
-    assert_eq!(kinds(&found), THROUGH);
+    assert_eq!(kinds(&found), LEAVES);
     let holder = cup.model.tools.iter().position(|tool| tool.role == Role::Holder).unwrap();
     assert_eq!(Some(found[0].travel), cup.left_at[holder]);
     // The shoulder begins at throat + shoulder; 5° round it is R sin 5° = 0.6 mm further in, about a step.

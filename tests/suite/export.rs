@@ -63,9 +63,8 @@ fn every_template_and_case_with_a_punch_comes_back_from_its_export() {
     for (name, case) in templates.chain(cases) {
         let case = case.unwrap();
         // Tubes are not imported.
-        let has_punch =
-            |stage: &&Stage| stage.model.tool(Role::Punch).is_some() && stage.model.blank.meridian.is_none();
-        if !drawn(&case).is_empty() && drawn(&case).iter().all(has_punch) {
+        let draws = |stage: &&Stage| stage.model.tool(Role::Punch).is_some() && stage.model.blank.meridian.is_none();
+        if !drawn(&case).is_empty() && drawn(&case).iter().all(draws) {
             assert_comes_back(&unsolved(case), &name);
             count += 1;
         }

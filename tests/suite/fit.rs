@@ -265,7 +265,6 @@ fn exports_of_testing_machines_are_read_in_three_languages() {
             assert!((estimate.value / truth - 1.0).abs() < 0.02, "{name}: {} {truth}", estimate.value);
         }
     }
-    let error =
-        FlowCurve::read("Kraft;Weg\n1,0;0,1\n2,0;0,2\n", "test.csv", &reduction).expect_err("no unit").to_string();
+    let error = FlowCurve::read("Kraft;Weg\n1,0;0,1\n2,0;0,2\n", "test.csv", &reduction).expect_err("unit").to_string();
     assert!(error.contains("must end in a unit"), "{error}");
 }

@@ -75,7 +75,7 @@ fn a_further_tool_that_stands_by_mistake_is_named() {
     assert!(meets.contains("punch and ejector are 90 % of the sheet's thickness apart"), "{meets}");
     assert!(meets.contains("the ejector and the punch run into each other from 1.0 mm of travel on"), "{meets}");
     let idle = sentences("90 mm");
-    assert!(idle.contains("the sheet never touches the ejector") && !idle.contains("run into"), "{idle}");
+    assert!(idle.contains("the sheet never presses on the ejector") && !idle.contains("run into"), "{idle}");
 }
 
 /// Trust: in its stage the inner punch alone moves, and stretches the sheet over itself until it necks; no holder is there.

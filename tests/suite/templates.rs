@@ -134,10 +134,7 @@ fn rings_iron_the_wall_in_equal_shares() {
         let wall = ring.frames.last().expect("a frame").elements.last().expect("a rim").thickness;
         assert!((1.0..1.07).contains(&(wall / gap(ring))), "{wall} mm in {} mm", gap(ring));
     }
-    assert!(
-        row(&found, "ironing").light == Light::Green && row(&found, "clearance").light == Light::Green,
-        "{found:?}"
-    );
+    assert!(["ironing", "clearance"].iter().all(|key| row(&found, key).light == Light::Green), "{found:?}");
 }
 
 /// Trust: the textbook's formula with its exact coefficients, written out here; the file has the radius to a thousandth.

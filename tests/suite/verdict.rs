@@ -2,7 +2,7 @@
 
 use crate::common::prelude::*;
 use crate::observer::Stopper;
-use stampflow::solver::solve;
+use stampflow::{solver::solve, study::judge};
 
 /// The verdict's rows, all findings made sure to be whole.
 fn judged(case: &Case, passes: &[StageSolution]) -> Vec<Finding> {
@@ -77,13 +77,18 @@ fn wrinkle_index_is_that_of_a_hand_calculation() {
 #[test]
 fn later_draws_are_judged_too() {
     let case = made("redraw", &[("first-radius", "45 mm")], &[]);
-    let passes = solve(&case.stages, &mut ());
+    let mut passes = solve(&case.stages, &mut ());
     let found = judged(&case, &passes);
     assert_eq!(row(&found, "redraw_ratio").light, Light::Amber, "{found:?}");
     assert!((row(&found, "redraw_ratio").value().unwrap() - 1.5).abs() < 1e-9);
     // One stroke's energy, not the sum of both.
     let works = passes.iter().map(|pass| 1e-3 * pass.steps.last().expect("steps").work.external);
     assert!((row(&found, "energy").value().unwrap() - works.fold(0.0, f64::max)).abs() < 1e-9);
+    // Tools that nothing presses on.
+    passes[1].tool_forces.iter_mut().for_each(|forces| forces.fill(1e-8));
+    let idle = row(&judged(&case, &passes), "idle_tool").clone();
+    let names = "never presses on the punch, stage 2 and the die, stage 2;";
+    assert!(idle.light == Light::Red && idle.text.contains(names), "{idle:?}");
 }
 
 /// Trust: by hand, p π a² of a clamped disc of 56 mm against a press of 500 kN; a third of σ t/r leaves the corner open.
@@ -93,11 +98,19 @@ fn pressure_fills_a_die_and_pushes_its_press_open() {
         let case = made("hydroform", &[("pressure", &format!("{pressure} MPa"))], &["press.force=500 kN"]);
         let found = judged(&case, &solve(&case.stages, &mut ()));
         assert_eq!(["filling", "press_force"].map(|key| row(&found, key).light), lights, "{found:?}");
-        assert_relative_eq!(
-            row(&found, "press_force").value().unwrap(),
-            pressure * PI * 56.0 * 56.0,
-            max_relative = 1e-9
-        );
+        let force = row(&found, "press_force").value().unwrap();
+        assert_relative_eq!(force, pressure * PI * 56.0 * 56.0, max_relative = 1e-9);
+    }
+}
+
+/// Trust: tools that close in less than the thickness coin a sheet that is to be bent, with a hundred times the force.
+#[test]
+fn closed_tools_leave_room_for_the_sheet() {
+    for (clearance, light) in [("0.97 mm", Light::Amber), ("0.9 mm", Light::Red)] {
+        let (answer, found) = judge(&made("joggle", &[("clearance", clearance)], &[]).solve(&mut ()), None, true, &());
+        let narrow = row(&found, "clearance");
+        assert_eq!((answer.light, narrow.light), (light, light), "{found:?}");
+        assert!(!narrow.advice.contains("travel"), "{narrow:?}");
     }
 }
 

@@ -91,8 +91,7 @@ fn a_punch_without_a_speed_follows_its_press() {
     let closest = shares.fold(0.0, f64::max);
     let rows = assess::after(&case, &solution.stages);
     let row = rows.iter().find(|row| row.key == "press_force").expect("a row");
-    let (load, limit) =
-        (row.quantity.as_ref().expect("a number").amount.value, row.limits().and_then(|limits| limits.red));
+    let (load, limit) = (row.quantity.as_ref().expect("one").amount.value, row.limits().and_then(|limits| limits.red));
     assert!((load / limit.expect("a limit") / closest - 1.0).abs() < 1e-9, "{load} {limit:?} {closest}");
     assert!(row.sentence().contains("° before the bottom dead centre"), "{}", row.sentence());
 }

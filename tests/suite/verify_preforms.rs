@@ -33,8 +33,7 @@ fn an_earlier_run_goes_on_where_it_ended() {
     std::fs::write(dir.path().join("whole.toml"), &whole.text).expect("written");
     assert!(stampflow(dir.path(), &["run", "whole.toml"]).status.success());
     let (first, second) = whole.text.split_once("# New tools").expect("a second stage");
-    let [blank, material, tools] =
-        ["[blank]", "[material]", "[tools.punch]"].map(|at| first.find(at).expect("a table"));
+    let [blank, material, tools] = ["[blank]", "[material]", "[tools.punch]"].map(|t| first.find(t).expect("a table"));
     let second = second.split_once("name = \"redraw\"").expect("its name").1.replace("[stages.", "[tools.");
     let sheet = "[blank]\nearlier_run = \"out/whole/1-draw\"\nthickness = \"1 mm\"\n[stop]\ndrawn_through = true\n";
     let text = [&first[..blank], sheet, &first[material..tools], &second.replace("move =", "travel =")].concat();

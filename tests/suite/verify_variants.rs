@@ -118,9 +118,8 @@ fn the_hat_springs_back_by_what_the_law_remembers() {
     let constant = let_go(&solved("hat_springback", &["material.mode=flow", "stages.0.release=constant"]));
     assert!((0..2).all(|i| (flow[i] - constant[i]).abs() < 0.05), "{flow:?} {constant:?}");
     let text = include_str!("../../cases/hat_springback.toml").replace("travel = \"70 mm\"", "travel = \"60 mm\"");
-    let finish =
-        "[[stages]]\nname = \"finish\"\nmode = \"elasto_viscoplastic\"\npunch.move = \"10 mm\"\n\n[[stages]]\n";
-    let two = parsed(&text.replacen("[[stages]]\n", finish, 1), &["material.mode=flow", "blank.layers=15"]);
+    let end = "[[stages]]\nname = \"finish\"\nmode = \"elasto_viscoplastic\"\npunch.move = \"10 mm\"\n\n[[stages]]\n";
+    let two = parsed(&text.replacen("[[stages]]\n", end, 1), &["material.mode=flow", "blank.layers=15"]);
     assert!(two.stages[0].model.mode == Mode::Flow && two.stages[1].model.mode == Mode::ElastoViscoplastic);
     let at_last = let_go(&two.solve(&mut ()));
     for i in 0..2 {

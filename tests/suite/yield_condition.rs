@@ -53,8 +53,7 @@ fn travels(template: &str, material: &str, sizes: &[(&str, &str)], overrides: &[
     let sizes: Vec<_> = sizes.iter().copied().chain([("material", material)]).collect();
     let model = made(template, &sizes, overrides).model().clone();
     let run = solver::run(&model, &mut ());
-    let reached =
-        forming_limit::assess(model.forming_limit.as_ref().expect("a limit"), &run.paths).expect("paths").reached;
+    let reached = forming_limit::assess(model.forming_limit.as_ref().expect("one"), &run.paths).expect("paths").reached;
     let peak = run.steps.iter().max_by(|a, b| a.punch_force.total_cmp(&b.punch_force)).expect("steps");
     [reached.expect("it necks").travel, peak.travel]
 }

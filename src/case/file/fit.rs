@@ -30,6 +30,12 @@ pub fn check(model: &Model, source: &Source) -> Result<()> {
     let Some(die) = model.tool(Role::Die) else {
         return if model.blank.edge == Edge::Free { Err(source.missing("tools", "die")) } else { Ok(()) };
     };
+    if let Some(wall) = punch.map(|punch| extent(punch).1).filter(|wall| *wall <= model.blank.hole) {
+        let [wall, hole] = [wall, model.blank.hole].map(|half| rounded(2.0 * half));
+        let what = format!("the punch Ø {wall} mm passes the hole Ø {hole} mm and never touches the sheet");
+        let key = if source.has("blank.hole") { "blank.hole" } else { "blank.hole_diameter" };
+        return Err(source.error(key, what, format!("a hole below Ø {wall} mm, or a wider punch")));
+    }
     let key = |tool: &str, key: &str| {
         format!("tools.{tool}.{}", if source.has(&format!("tools.{tool}.profile")) { "profile" } else { key })
     };

@@ -118,8 +118,7 @@ pub fn fit_case(request: &CaseFitRequest, threads: usize, watch: &dyn Watch) -> 
     let first = request.run(&request.starts(), watch).map_err(|reason| {
         StudyError::new(format!("the case at the start of the fit: {reason}"), "begin where it can be run")
     })?;
-    let model = request.base.case(&[])?;
-    let computed = Computed::nothing(model.model());
+    let computed = Computed::nothing(request.base.case(&[])?.model());
     let deviations: Option<Vec<Vec<f64>>> = request.curves.iter().map(|curve| deviations(curve, &computed)).collect();
     let weights = request.weights(&first, deviations.as_deref())?;
     let residuals = |curves: &[RunCurve]| -> Option<Vec<f64>> {

@@ -3,8 +3,8 @@
 use super::tension::{EXAMPLE, FlowPoint, rows};
 use crate::case::files::{self, Disk, Files};
 use crate::numerics::statistics::block_means;
-use crate::study::measured_curve::{csv_error, unreadable};
-use crate::study::{Result, Watch, ensure, fail};
+use crate::study::measured_curve::{OF_FILE, csv_error};
+use crate::study::{Result, StudyError, Watch, ensure, fail};
 use crate::table::Csv;
 use crate::tester;
 use crate::units::{Amount, joined, significant};
@@ -175,7 +175,7 @@ pub fn flow_curves(
     for (i, path) in tests.iter().enumerate() {
         ensure(!watch.wants_to_stop(), "interrupted", "begin again")?;
         let name = path.display().to_string();
-        let bytes = Disk.read(path, files::CSV).map_err(|error| unreadable(&name, &error))?;
+        let bytes = Disk.read(path, files::CSV).map_err(|error| StudyError::unreadable(path, &error, OF_FILE))?;
         let csv = tester::read(&tester::text(bytes), EXAMPLE).map_err(|error| csv_error(&name, error))?;
         let (rate, direction) = (rates.get(i).copied(), directions.get(i).copied());
         let curve = FlowCurve { rate, direction, ..FlowCurve::new(&csv, &path.to_string_lossy(), reduction)? };

@@ -14,21 +14,18 @@ const SOLVED: f64 = 10.0;
 const OUT_OF_LINE: f64 = 4.0;
 const MUCH: f64 = 0.05;
 
-/// Factor of safety on the spread of a direction \[–\]: 19 bars of 20 hold the truth of random dies.
-fn safety(direction: Direction) -> f64 {
-    if direction == Direction::Elements { 3.0 } else { 2.0 }
-}
-
 fn estimate(direction: Direction, levels: &[f64]) -> Contribution {
     let order = match levels {
         [coarse, fine, finest] => Some(((coarse - fine) / (fine - finest)).log2()).filter(|p| p.is_finite()),
         _ => None,
     };
+    // Factors on the spread: 19 bars of 20 hold the truth of random dies.
+    let safety = if direction == Direction::Elements { 3.0 } else { 2.0 };
     let believed = order.filter(|p| (0.5 * ORDER..=2.0 * ORDER).contains(p));
     let end = |of: fn(f64, f64) -> f64| levels.iter().copied().reduce(of).unwrap_or(0.0);
     let error = match believed {
         Some(p) => EXTRAPOLATED * (levels[0] - levels[1]).abs() / (1.0 - 0.5_f64.powf(p)),
-        None => safety(direction) * (end(f64::max) - end(f64::min)),
+        None => safety * (end(f64::max) - end(f64::min)),
     };
     Contribution { direction: direction.label(), error, order, extrapolated: believed.is_some(), share: 0.0 }
 }
