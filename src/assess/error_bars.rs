@@ -56,7 +56,7 @@ pub struct ErrorBars {
     pub notes: Vec<String>,
     /// Number of refined runs.
     pub runs: usize,
-    /// Refinement of a run that came to another end for a reason of the part's: `4 times the elements`.
+    /// Refinement of a run that came to another end for a reason of the part's: `2 times the elements`.
     pub finer_that_differs: Option<String>,
     /// Reason of the run's end.
     pub why: String,
@@ -88,7 +88,7 @@ impl Number {
         [self.origin.key(), self.quantity.key, self.quantity.amount.unit.spelled()]
     }
 
-    /// Contributions, such as `elements 62 % (2.1), steps 30 %` with an observed order if extrapolated; or why there is no bar.
+    /// Contributions, such as `contact smoothing 62 % (1.1)` with an observed order if extrapolated; or why there is no bar.
     pub fn made_of(&self) -> String {
         match &self.quantity.error {
             ErrorBar::Missing(why) => return format!("no bar: {why}"),

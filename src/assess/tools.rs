@@ -128,12 +128,12 @@ pub(super) fn clearance(run: &Run) -> Option<Finding> {
         if gap < LEAST {
             return Some(judged.at_least(1.0, SQUEEZED).advice("a gap of 1 t or more between the closed tools"));
         }
-        let limit = if upright { format!("; {WIDE} t at most beside a straight wall") } else { String::new() };
+        let limit = if upright { format!("1 t to {WIDE} t beside a straight wall") } else { "1 t at least".to_owned() };
         let sized = if blank.has_hole() { 1.0 } else { worded(model.geometry, SIZED, strip_clearance(1.0).value) };
         let throat = Amount::size(2.0 * (sized * blank.thickness + extent(model.tool(Role::Punch)?).1));
-        let advice = format!("a gap of {sized} t, throat {throat} wide: `--clearance {sized}t` of `stampflow new`");
+        let advice = format!("a gap of {sized} t, throat {throat} wide (`stampflow new … --clearance {sized}t`)");
         let judged = judged.at_most(if upright { WIDE / LEAST } else { f64::INFINITY }, None);
-        Some(judged.limit(format!("1 t at least{limit}")).advice(advice))
+        Some(judged.limit(limit).advice(advice))
     };
     let new = run.stages.iter().enumerate().filter(|(i, stage)| *i == 0 || stage.model.release.is_none());
     new.filter_map(|(i, stage)| judged(i, stage)).max_by_key(|finding| finding.light)

@@ -115,7 +115,8 @@ fn numbers(case: &Case, stages: &[StageSolution], findings: &[Finding]) -> Vec<N
         Some(Number { s0, ..Number::new(Origin::Verdict, quantity) })
     });
     let answer = answer.iter().filter(|number| !is_input(number.key));
-    let answer = answer.map(|n| Number::new(Origin::Answer, Quantity::new(n.key, n.label, n.amount)));
+    let own = |n: &Quantity| Quantity { name: n.name.clone(), ..Quantity::new(n.key, n.label, n.amount) };
+    let answer = answer.map(|n| Number::new(Origin::Answer, own(n)));
     let is_torn = stages.iter().any(|stage| stage.neck.is_some());
     let all = answer.chain(part).chain(judged).filter(|number| number.quantity.amount.value.is_finite());
     let is_lost = |number: &Number| is_torn && OF_A_NECK.contains(&number.quantity.key);
