@@ -10,6 +10,8 @@ use crate::units::DisplaySettings;
 const NEAR: f64 = 0.8;
 /// Rating over the largest load \[–\]: a declared rule of thumb.
 const RESERVE: f64 = 1.2;
+/// Largest force of tools that move a sheet and do not form it, by rounding: declared \[N, or N/mm\].
+const NOTHING: f64 = 1e-6;
 /// Metric tonne-force \[N\].
 const TONNE: f64 = 9806.65;
 
@@ -32,7 +34,7 @@ impl<'a> Load<'a> {
             on.steps.iter().zip(&on.tool_forces).map(move |(step, forces)| Self { stage, on, step, forces, squeezes })
         });
         let share = |load: &Self| load.force() / press.permitted(load.left()).unwrap_or(1.0);
-        steps.filter(|load| load.driven() > 0.0).max_by(|a, b| share(a).total_cmp(&share(b)))
+        steps.filter(|load| load.driven() > NOTHING).max_by(|a, b| share(a).total_cmp(&share(b)))
     }
 
     /// Force in the unit of the section.
@@ -106,7 +108,7 @@ type Peak<'a> = Option<(usize, &'a StepRecord, f64)>;
 
 fn largest(stages: &[StageSolution], values: fn(&StageSolution) -> Vec<f64>) -> Peak<'_> {
     let steps = formed(stages).flat_map(|(i, on)| on.steps.iter().zip(values(on)).map(move |(s, v)| (i, s, v)));
-    steps.max_by(|a, b| a.2.total_cmp(&b.2)).filter(|(.., value)| *value > 0.0)
+    steps.max_by(|a, b| a.2.total_cmp(&b.2)).filter(|(.., value)| *value > NOTHING)
 }
 
 /// Largest force of the tools that [work](StageSolution::working_force).

@@ -41,9 +41,9 @@ pub(super) fn narrow(model: &Model) -> Option<Finding> {
     let t = model.blank.thickness;
     let gap = estimate::clearance(model, model.travel).filter(|gap| *gap < t * LEAST)?;
     let size = Amount::size(t);
-    let text = format!(
-        "at the full travel punch and die are {{}} apart, less than the thickness of {size}: thicker sheet is ironed"
-    );
+    let is_closed = model.tool(Role::Die).is_some_and(|die| throat(die).is_none());
+    let what = if is_closed { "they squeeze the sheet" } else { "thicker sheet is ironed" };
+    let text = format!("at the full travel punch and die are {{}} apart, less than the thickness of {size}: {what}");
     Some(Finding::warning("narrow_clearance", "Clearance", text).number(Amount::size(gap)).at_least(t, None))
 }
 
@@ -69,7 +69,6 @@ pub(super) fn overlap(model: &Model) -> Option<Finding> {
 }
 
 pub(super) fn idle(run: &Run) -> Option<Finding> {
-    run.stages.last().filter(|last| last.stop.is_complete())?;
     let least = IDLE * estimate::flange_strength(run.case.model());
     let is_new = |i: usize, role: Role| i == 0 || run.case.stages[i].begin.meets.contains(&role);
     // Stages of a tool, until another has its place.
@@ -78,10 +77,12 @@ pub(super) fn idle(run: &Run) -> Option<Finding> {
         let own = own.take_while(move |(i, _)| *i == first || !is_new(*i, role));
         own.filter_map(move |(_, stage)| Some((stage, stage.model.tool_index(role)?)))
     };
-    let presses = |own| stages(own).any(|(stage, j)| stage.pressing(j).into_iter().any(|force| force > least));
+    // In a stage that was cut short it may still have come.
+    let presses = |stage: &StageSolution, j| stage.pressing(j).into_iter().any(|force| force > least);
+    let may_press = |own| stages(own).any(|(stage, j)| !stage.stop.is_complete() || presses(stage, j));
     let tools = formed(run.stages).flat_map(|(i, stage)| stage.model.tools.iter().map(move |tool| (i, tool.role)));
     let tools = tools.filter(|(_, role)| !matches!(role, Role::Holder | Role::Pad));
-    let idle: Vec<_> = tools.filter(|&(i, role)| is_new(i, role) && !presses((i, role))).collect();
+    let idle: Vec<_> = tools.filter(|&(i, role)| is_new(i, role) && !may_press((i, role))).collect();
     let first = *idle.first()?;
     let all = stages(first).flat_map(|(on, j)| on.start.iter().chain(&on.frames).map(move |frame| (on, j, frame)));
     let near = all.map(|(stage, j, frame)| {
