@@ -4,7 +4,7 @@ use super::filling::Filling;
 use super::press::{closing, largest_force, load};
 use super::tear::{self, Tear, place, tear};
 use super::{finding::labels, *};
-use crate::measure::{OPENING_ANGLE, Shape, element_at, end_diameter, part_height, stripping_force, wall_at};
+use crate::measure::{OPENING_ANGLE, Shape, element_at, outside_diameters, part_height, stripping_force, wall_at};
 use crate::numerics::interpolated;
 use crate::solver::solution::Frame;
 
@@ -34,14 +34,26 @@ impl Answer {
         let tear = tear(stages);
         let edge = judgements(findings).find(|finding| finding.key == "edge").map(Finding::statement);
         let hole = edge.map_or_else(String::new, |edge| first_clause(&edge).to_owned());
+        let index = stages.last().and_then(erichsen_index).map(|index| format!("IE = {} (ISO 20482)", index.amount));
+        let mut sentence = [sentence(stages, findings, &failures, tear.as_ref()), index.unwrap_or(hole)];
+        // The result of a test comes first.
+        if is_test(stages) {
+            sentence.reverse();
+        }
         Self {
             light: judgements(findings).map(|finding| finding.light).max().unwrap_or(Light::Grey),
-            sentence: joined([sentence(stages, findings, &failures, tear.as_ref()), hole], "; "),
+            sentence: joined(sentence, "; "),
             end: end.map_or_else(String::new, ToString::to_string),
             numbers: numbers(case, stages, tear.is_some()),
             failures,
         }
     }
+}
+
+/// True of a test that ended by the failure it looks for: the crack of a hole's edge, or the largest force on Erichsen's ball.
+pub(super) fn is_test(stages: &[StageSolution]) -> bool {
+    let ended = |stage: &StageSolution| stage.stop.kind == StopKind::EdgeLimit || erichsen_index(stage).is_some();
+    stages.last().is_some_and(ended)
 }
 
 fn sentence(stages: &[StageSolution], findings: &[Finding], failures: &[FailureMode], tear: Option<&Tear>) -> String {
@@ -92,6 +104,9 @@ fn sentence(stages: &[StageSolution], findings: &[Finding], failures: &[FailureM
             let rule = Amount::given_share(tear::CAREFUL);
             format!("{thins}, more than the {rule} rule of thumb; no forming limit is given")
         }
+        _ if is("stop", Light::Amber) => {
+            joined(["it does not tear".into(), row("stop").map_or_else(String::new, Finding::statement)], "; ")
+        }
         _ if !amber.is_empty() => format!("it does not tear; look at {amber}"),
         _ if is("edge", Light::Grey) => "it does not tear; whether the edge cracks is not judged".into(),
         _ if is("springback", Light::Grey) && largest_force(stages).is_some() => {
@@ -107,6 +122,7 @@ fn numbers(case: &Case, stages: &[StageSolution], is_torn: bool) -> Vec<Quantity
     let all = [
         end.and_then(|end| thinnest(stages, end, is_torn)),
         load(case, stages, 0.0),
+        stages.last().and_then(pressure),
         closing(case, stages),
         stages.first().and_then(die_gap),
         stages.last().and_then(hole),
@@ -158,7 +174,7 @@ fn die_gap(stage: &StageSolution) -> Option<Quantity> {
 fn hole(stage: &StageSolution) -> Option<Quantity> {
     let (blank, hole) = (&stage.model.blank, stage.steps.last()?.hole);
     if blank.is_open() {
-        return end(stage.frames.last()?);
+        return end(stage);
     }
     let (edge, node) = (stage.frames.last()?.elements.first()?, stage.frames.last()?.nodes.first()?);
     let share = 1.0 / (1.0 + stage.model.material.yield_criterion.ratio());
@@ -177,9 +193,21 @@ fn erichsen_index(stage: &StageSolution) -> Option<Quantity> {
     Some(index.at("IE, travel at the largest force, the end of the test (ISO 20482)"))
 }
 
-fn end(frame: &Frame) -> Option<Quantity> {
+/// Pressure beside the force that feeds a tube.
+fn pressure(stage: &StageSolution) -> Option<Quantity> {
+    let pressure = Amount::stress(super::largest(stage, |step| step.pressure));
+    let is_fed = stage.model.blank.edge == Edge::Fed && !stage.model.gas.is_empty();
+    is_fed.then(|| Quantity::new("pressure", "Pressure", pressure).at("at its largest"))
+}
+
+fn end(stage: &StageSolution) -> Option<Quantity> {
+    let (frame, blank) = (stage.frames.last()?, &stage.model.blank);
+    let (end, widest) = (outside_diameters(frame).last()?, outside_diameters(frame).fold(0.0, f64::max));
     let about = format!("outside in diameter, its edge {} thick", Amount::thickness(frame.nodes.last()?.thickness));
-    Some(Quantity::new("end", "End", Amount::place(end_diameter(frame)?)).at(about))
+    // Half a percent is worth a word, declared.
+    let is_wider = widest > 1.005 * end.max(2.0 * blank.reach() + blank.thickness);
+    let wider = if is_wider { format!("Ø {} where the tube is widest", Amount::place(widest)) } else { String::new() };
+    Some(Quantity::new("end", "End", Amount::place(end)).at(joined([about, wider], "; ")))
 }
 
 fn pad(stage: &StageSolution) -> Option<Quantity> {
@@ -234,7 +262,8 @@ fn blank(model: &Model) -> Quantity {
     let across = worded(model.geometry, "in diameter", "wide");
     if model.blank.meridian.is_some() {
         let [length, thick] = [model.blank.length, model.blank.thickness].map(Amount::size);
-        let about = format!("{across} outside, {length} along the sheet, {thick} thick");
+        let half = if model.is_half_tube() { ", one half of the tube" } else { "" };
+        let about = format!("{across} outside, {length} along the sheet, {thick} thick{half}");
         let outside = 2.0 * model.blank.reach() + model.blank.thickness;
         return Quantity::new("blank", "Blank", Amount::size(outside)).at(about);
     }
@@ -253,7 +282,8 @@ fn opening_angle(stage: &StageSolution) -> Option<Quantity> {
 fn height(stage: &StageSolution) -> Option<Quantity> {
     let before = stage.released().and_then(|[before, _]| part_height(before)).map(Amount::place);
     let height = Quantity::new("part_height", "Height", Amount::place(part_height(stage.frames.last()?)?));
-    Some(height.at(format!("over all{}", under_load(before))))
+    let half = if stage.model.is_half_tube() { ", of one half" } else { "" };
+    Some(height.at(format!("over all{half}{}", under_load(before))))
 }
 
 /// Depth between the ends of a punch's inner and outer flat, where the sheet lies at the same distances from the symmetry plane.

@@ -46,8 +46,7 @@ pub fn draws<'a>(models: impl Iterator<Item = &'a Model>) -> Vec<f64> {
             None => radii.extend(meridian.is_none().then_some(*length)),
         }
         let is_drawn = |radius: &f64| radii.last().is_some_and(|last| radius < last);
-        let punch = model.tool(Role::Punch).map(|punch| extent(punch).1).filter(is_drawn);
-        radii.extend(punch);
+        radii.extend(model.tool(Role::Punch).map(|punch| extent(punch).1).filter(is_drawn));
     }
     radii
 }
@@ -160,8 +159,7 @@ pub(super) fn ears(run: &Run) -> Option<Finding> {
     let height = ears.into_iter().fold(f64::NEG_INFINITY, f64::max) - ears.into_iter().fold(f64::INFINITY, f64::min);
     let ([along, diagonal, across], planar) = (ears.map(Amount::place), Amount::ratio(r.planar()));
     let text = format!(
-        "ears of {{}}; at 0, 45 and 90° to rolling the rim lies {along}, {diagonal} and {across} beyond the computed mean \
-         (Δr = {planar})"
+        "ears of {{}}; at 0, 45 and 90° the rim lies {along}, {diagonal} and {across} beyond the mean (Δr = {planar})"
     );
     let source = "an estimate: hoop compression with r by direction (Yoon, Dick and Barlat 2011)";
     let judged = Finding::judged("ears", "Ears", text).number(Amount::place(height));

@@ -21,7 +21,7 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     if !is_hole && (!blank.is_open() || blank.edge != Edge::Free) {
         return None;
     }
-    let (edge, wall) = if is_hole { ("hole", "") } else { ("end", " at mid-wall") };
+    let (edge, wall) = if is_hole { ("hole goes", "") } else { ("end widens", " at most, at mid-wall") };
     let (_, ratio, widest) = run.peak(|_, stage| {
         let expansions = stage.steps.iter().map(|step| (step.edge_expansion(blank), step.edge_diameter(blank)));
         expansions.max_by(|a, b| a.0.total_cmp(&b.0)).filter(|(ratio, _)| is_hole || *ratio > WIDENED)
@@ -31,7 +31,7 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     let instant = instant.map_or_else(String::new, |(i, travel)| {
         run.of_stage(format!("it cracks at {} of travel", Amount::place(travel)), i)
     });
-    let text = joined([format!("the {edge} goes from Ø {from} to Ø {to}{wall}, expansion ratio {{}}"), instant], "; ");
+    let text = joined([format!("the {edge} from Ø {from} to Ø {to}{wall}, expansion ratio {{}}"), instant], "; ");
     let finding = Finding::judged("edge", "Edge", text).number(Amount::share(ratio));
     let Some(limit) = blank.edge_limit else {
         let advice = "write `blank.edge_limit` = { expansion = \"60 %\", scatter = \"10 %\" } with the hole expansion ratio of \

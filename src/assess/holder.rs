@@ -78,8 +78,7 @@ pub(super) fn rests(stage: &StageSolution) -> Option<Finding> {
         }
     }
     let [begin, end] = longest.map(Amount::place);
-    let text =
-        format!("the holder rests on its distance blocks from {begin} to {end} of travel, and does not hold the sheet");
+    let text = format!("the holder rests on its distance blocks from {begin} to {end} of travel, and holds no sheet");
     let warning = Finding::warning("holder_rests", "Distance blocks", text);
     warning.number(Amount::place(end.value - begin.value)).at_most(RESTS * stage.model.travel, None).if_beyond()
 }

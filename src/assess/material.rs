@@ -157,7 +157,6 @@ pub(super) fn idle_zone(model: &Model) -> Option<Finding> {
     let is_idle = |zone: &&Zone| zone.thickness == model.blank.thickness && !own(zone);
     let [from, to] = model.blank.zones.iter().find(is_idle)?.within.map(Amount::set);
     let text = format!("the zone from {from} to {to} is as the rest of the blank: it changes nothing");
-    let warning =
-        Finding::warning("idle_zone", "Zone", text).limit("unlike the blank").source("the case's blank.zones");
+    let warning = Finding::warning("idle_zone", "Zone", text).limit("unlike the blank").source("blank.zones");
     Some(warning.advice("give it a thickness or a hardening of its own, or drop it"))
 }

@@ -134,7 +134,11 @@ pub fn after(case: &Case, stages: &[StageSolution]) -> Vec<Finding> {
     let is_met = |finding: &Finding| whole.is_none_or(|end| finding.value().is_none_or(|from| from <= end.travel));
     let of_case = [stop::earlier, tools::overlap].into_iter().filter_map(|find| find(case.model())).filter(is_met);
     let of_case = of_case.map(|finding| Finding { kind: Kind::Judgement, light: Light::Red, ..finding });
-    of_case.chain(ON_RUN.iter().filter_map(|find| find(&run))).chain(of_stages).collect()
+    // The tools of a test are those of its standard.
+    let is_test = answer::is_test(stages);
+    let of_tools = |finding: &Finding| is_test && finding.light > Light::Green && finding.key != "friction";
+    let advised = |finding: Finding| if of_tools(&finding) { finding.advice("") } else { finding };
+    of_case.chain(ON_RUN.iter().filter_map(|find| find(&run)).map(advised)).chain(of_stages).collect()
 }
 
 /// Findings to print with each stage: its warnings and all assumptions; with the first, also the warnings before the run.

@@ -78,8 +78,7 @@ impl<'a> Load<'a> {
         (self.stage, self.step, self.force())
     }
 
-    /// Force that holds the tools of a flat sheet without a punch closed: the larger pressure of both faces over the area within
-    /// its seal \[N, or N/mm\].
+    /// Force that holds tools without a punch closed on a flat sheet: the larger pressure over its seal's area \[N, or N/mm\].
     pub fn closing(&self) -> f64 {
         let model = &self.on.model;
         let given = |gas: &Gas| gas.pressure.prescribed(self.step.time);
@@ -123,6 +122,7 @@ pub(super) fn load(case: &Case, stages: &[StageSolution], bar: f64) -> Option<Qu
         let pressures = |on: &StageSolution| on.steps.iter().map(|step| step.pressure.abs()).collect();
         let (i, peak, pressure) = largest(stages, pressures)?;
         let at = format!("at a height of {}", Amount::place(peak.pole_height.abs()));
+        let at = if stages[i].model.blank.is_open() { "at its largest".into() } else { at };
         let pressure = Quantity::new("pressure", "Pressure", Amount::stress(pressure));
         return Some(pressure.at(joined([stage(i), at], ", ")));
     };
@@ -143,12 +143,10 @@ pub(super) fn load(case: &Case, stages: &[StageSolution], bar: f64) -> Option<Qu
         Some(joined([format!("{} in stage {}", pressed.amount(force), other + 1), of(on)], " "))
     });
     let about = joined([at, joined(others, ", "), press(case, &pressed, bar)], "; ");
-    let label = if !of(&stages[i]).is_empty() {
-        "Tool force"
-    } else if fed {
-        "Feed force"
-    } else {
-        "Punch force"
+    let label = match of(&stages[i]).is_empty() {
+        true if fed => "Feed force",
+        true => "Punch force",
+        false => "Tool force",
     };
     Some(Quantity::new("punch_force", label, pressed.amount(force)).at(about))
 }
@@ -156,13 +154,14 @@ pub(super) fn load(case: &Case, stages: &[StageSolution], bar: f64) -> Option<Qu
 /// Share of the press's rating, or press for a load and its error bar \[N, or N/mm\].
 fn press(case: &Case, load: &Load, bar: f64) -> String {
     let with_holder = if load.holder() > 0.0 { " with the holder" } else { "" };
+    let feed = if load.thrust() > 0.0 { " for the feed of one end alone" } else { "" };
     if load.squeezes {
         return "no press is given: the tools squeeze the sheet".into();
     }
     let error = if bar > (RESERVE - 1.0) * load.force() { ", or the load and its error bar" } else { "" };
     let Some(rating) = case.press.permitted(load.left()) else {
         let rating = load.rating(bar);
-        return format!("press of at least {rating}{with_holder} ({RESERVE} × the load{error}, rounded up)");
+        return format!("press of at least {rating}{with_holder}{feed} ({RESERVE} × the load{error}, rounded up)");
     };
     let (share, rating) = (Amount::share(load.force() / rating), load.amount(rating));
     match &case.press.drive {
@@ -171,7 +170,15 @@ fn press(case: &Case, load: &Load, bar: f64) -> String {
     }
 }
 
+/// Force that holds tools closed against a pressure: of a die that is split along a tube, by the section inside of both halves.
 pub(super) fn closing(case: &Case, stages: &[StageSolution]) -> Option<Quantity> {
+    if let Some(tube) = stages.last().filter(|on| on.model.is_half_tube() && on.model.tool(Role::Die).is_some()) {
+        let section = |pair: &[NodeRecord]| (pair[0].r + pair[1].r - pair[1].thickness) * (pair[0].z - pair[1].z).abs();
+        let section: f64 = tube.frames.last()?.nodes.windows(2).map(section).sum();
+        let force = Amount::force(2.0 * section * super::largest(tube, |step| step.pressure), Unit::N);
+        let about = "of a die split along the axis: largest pressure times section inside both halves, an estimate";
+        return Some(Quantity::new("closing_force", "Closing force", force.to(Digits::Significant(3))).at(about));
+    }
     let load = Load::largest(stages, &case.press).filter(|load| load.closing() > 0.0)?;
     Some(Quantity::new("closing_force", "Closing force", load.amount(load.force())).at(press(case, &load, 0.0)))
 }
@@ -192,8 +199,7 @@ fn with_tonnes(force: Amount) -> String {
 pub(super) fn no_force(case: &Case) -> Option<Finding> {
     case.press.drive.as_ref().filter(|drive| drive.pace.is_none() && case.press.force.is_none())?;
     let text = "[press.drive] has no force to permit and no motion: it changes nothing";
-    let warning =
-        Finding::warning("press_drive", "Press drive", text).limit("a force beside it").source("the case's [press]");
+    let warning = Finding::warning("press_drive", "Press drive", text).limit("a force beside it").source("[press]");
     Some(warning.advice("give the nominal force, [press] force, or its strokes_per_minute, or drop it"))
 }
 

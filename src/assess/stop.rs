@@ -1,20 +1,19 @@
 //! End of the run.
 
 use super::*;
+use crate::model::tool_sizes::name_on_tube;
 
 pub(super) fn judge(run: &Run) -> Option<Finding> {
     let last = run.stages.last()?;
     let (model, stop) = (&last.model, &last.stop);
-    // A redraw that ends before its rim comes leaves a step.
-    let went_through = run.stages.iter().any(|stage| stage.stop.kind == StopKind::LeftDie);
-    let is_open = model.stop.drawn_through && model.release.is_none() && !went_through;
-    let text = match stop.kind {
-        StopKind::FullTravel if model.release.is_some() => "tools taken away".into(),
-        StopKind::FullTravel if is_open => format!("{stop}, and the cup is not through the die"),
-        _ => stop.to_string(),
+    let missed = missed(run, last).filter(|_| stop.kind == StopKind::FullTravel && model.release.is_none());
+    let text = match &missed {
+        Some(missed) => format!("{stop}, and {missed}"),
+        None if stop.kind == StopKind::FullTravel && model.release.is_some() => "tools taken away".into(),
+        None => stop.to_string(),
     };
     let light = match stop.kind {
-        StopKind::FullTravel if is_open => Light::Amber,
+        _ if missed.is_some() => Light::Amber,
         _ if stop.is_complete() => Light::Green,
         // Many a cup leaves its die at the other end.
         StopKind::DrawnThrough | StopKind::Interrupted => Light::Amber,
@@ -28,9 +27,27 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     Some(judged.limit("reaches its end").source("the solver").advice(advice(last)))
 }
 
+/// Purpose that a full travel has missed.
+fn missed(run: &Run, last: &StageSolution) -> Option<String> {
+    let model = &last.model;
+    // A redraw that ends before its rim comes leaves a step.
+    let went_through = run.stages.iter().any(|stage| stage.stop.kind == StopKind::LeftDie);
+    let groove = model.tool(Role::Punch).filter(|punch| model.blank.is_open() && name_on_tube(punch) == "groove");
+    if let (Some(_), [.., before, end]) = (groove, &last.frames.last()?.nodes[..]) {
+        // Outward from straight down; beyond half a turn it has curled in.
+        let turned = (end.r - before.r).atan2(before.z - end.z).to_degrees().rem_euclid(360.0);
+        let text = || format!("the end has turned by {}, not by 180°: it is not inside out", Amount::angle(turned));
+        return (turned < 180.0).then(text);
+    }
+    let missed = model.stop.drawn_through && !went_through;
+    let text = if model.stop.edge_limit { "the edge limit is not reached" } else { "the cup is not through the die" };
+    (missed || model.stop.edge_limit).then(|| text.into())
+}
+
 fn advice(last: &StageSolution) -> &'static str {
     match last.stop.kind {
-        StopKind::FullTravel if last.model.stop.drawn_through => "more travel",
+        StopKind::FullTravel if last.model.blank.is_open() => "more travel, or a smaller groove",
+        StopKind::FullTravel => "more travel",
         StopKind::Interrupted => "let it run to its end",
         StopKind::Refused => "a value that the solver can take",
         StopKind::Mechanism => {

@@ -1,7 +1,5 @@
 //! A case file around tools that were drawn: their profiles, and declared placeholders for the rest.
 
-#[cfg(feature = "app")]
-mod picture;
 mod sizes;
 
 use super::templates::{Inputs, LAW, elastic, mild_steel, rules::Picked};
@@ -145,6 +143,28 @@ impl Import {
         let stages = later_stages(&sections.operations[1..], tools, pressure, &friction);
         values.set_text("stages", stages.join("\n").trim_end());
         values.fill(include_str!("from_drawing/case.toml"))
+    }
+}
+
+impl Imported {
+    /// Picture of the tools as they are drawn.
+    #[cfg(feature = "app")]
+    pub fn picture(&self, drawing: &Path) -> crate::plot::Chart {
+        use crate::plot::{SketchedTool, axis::capitalised, sketch};
+        let tool = |tool: &Section| SketchedTool {
+            label: format!("{}: {}", capitalised(tool.role.name()), tool.made_of),
+            role: tool.role,
+            profile: tool.profile.clone(),
+            ends: tool.ends.clone(),
+        };
+        let tools = |operation: &Operation| operation.tools.iter().map(tool).collect();
+        let Sections { operations, notes, .. } = &self.sections;
+        let operations: Vec<Vec<SketchedTool>> = operations.iter().map(tools).collect();
+        let caption = "Circles: where drawn lines, arcs and splines begin and end. The tools are where they are drawn; the \
+                       case moves each along z to where it touches the sheet.";
+        let notes = notes.iter().map(|note| format!("{}.", capitalised(note)));
+        let title = format!("{}: the tools that were read", drawing.file_name().unwrap_or_default().display());
+        sketch(title, self.geometry, &operations, std::iter::once(caption.to_owned()).chain(notes).collect())
     }
 }
 

@@ -146,8 +146,7 @@ fn find(word: &str, coil: Option<Coil>) -> Result<(Entry, Option<String>)> {
         [] => {
             let names: Vec<&str> = self::names().collect();
             let (near, names) = (did_you_mean(word, names.iter().copied()), names.join(", "));
-            let help =
-                format!("{near}known materials: {names}; `stampflow materials` says which grades they stand for");
+            let help = format!("{near}known materials: {names}; `stampflow materials` says which grades they are for");
             Err(CaseError::bare(format!("the library has no material \"{word}\""), help))
         }
         _ => Err(CaseError::bare(format!("\"{word}\" may be {}", names.join(" or ")), "write the whole name".into())),

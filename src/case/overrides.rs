@@ -51,8 +51,7 @@ pub(crate) fn apply(text: &str, overrides: &[String]) -> Result<String> {
     Ok(document.to_string())
 }
 
-/// Overrides of every table in one, `tools.*.friction=0.1`; `friction` is of every tool, `strength`, `coil` of the metal;
-/// `last` is the last entry of a list.
+/// Overrides of every table, `tools.*.friction=0.1`; `friction` is of all tools, `strength`, `coil` of the metal; `last` ends a list.
 fn spread(document: &DocumentMut, written: &str) -> Vec<String> {
     let Some((path, value)) = written.split_once('=') else { return vec![written.to_owned()] };
     let path = match path.trim() {

@@ -28,10 +28,16 @@ fn flag(name: &'static str, help: &'static str) -> Arg {
     Arg::new(name).long(name).action(ArgAction::SetTrue).help(help)
 }
 
+/// Refuses the next option as a value.
+fn is_value(text: &str) -> Result<String, String> {
+    let is_option = text.starts_with('-') && !text.contains(|c: char| c.is_ascii_digit());
+    if is_option { Err("it is an option: the one before it needs a value".into()) } else { Ok(text.to_owned()) }
+}
+
 fn option(choice: &'static Choice, heading: &'static str) -> impl Iterator<Item = Arg> {
     let value = |key: &'static str, help: String| {
         let arg = Arg::new(key).long(key).value_name(choice.value.as_str()).allow_hyphen_values(true);
-        let arg = arg.help_heading(heading).help(help);
+        let arg = arg.help_heading(heading).help(help).value_parser(is_value);
         let is_switch = choice.value == "SWITCH";
         if is_switch { arg.num_args(0..=1).require_equals(true).default_missing_value("yes") } else { arg }
     };
@@ -53,6 +59,8 @@ fn subcommand(template: &'static Template) -> Command {
         .about(template.about.as_str())
         .override_usage(format!("stampflow new {} [-o FILE] [--force] [OPTIONS]", template.name))
         .args(args)
+        // A word without an option: that before it is read first, and is the mistake if it has no value.
+        .arg(Arg::new("word").hide(true).value_parser(|_: &str| Err::<String, _>("no option stands before it")))
         .arg(output.value_parser(value_parser!(PathBuf)).help("Write the case there instead of printing it"))
         .arg(flag("force", "Replace an existing file"))
         .arg(flag("json", "Print JSON, errors too"))

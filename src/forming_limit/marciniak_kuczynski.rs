@@ -98,8 +98,7 @@ impl MarciniakKuczynski {
         for step in (0..=Self::HALVINGS).map(|i| Self::first_step(sheet) * 0.5_f64.powi(i)) {
             let Some(strain) = Groove::new(*self, sheet, beta, angle).neck(step)? else {
                 let most = Self::LARGEST;
-                let what =
-                    format!("no groove necks below an equivalent strain of {most}, at a strain ratio of {beta:.3}");
+                let what = format!("no groove necks below an equivalent strain of {most}, at strain ratio {beta:.3}");
                 let help = "use points, or an imperfection further from 1: a sheet like this hardly necks";
                 return Err(LawError::new(what, help));
             };
@@ -108,7 +107,7 @@ impl MarciniakKuczynski {
             }
             before = strain;
         }
-        let what = format!("the groove's limit does not settle as its step is halved, at a strain ratio of {beta:.3}");
+        let what = format!("the groove's limit does not settle as its step is halved, at strain ratio {beta:.3}");
         Err(LawError::new(what, "use hill, or an imperfection further from 1"))
     }
 

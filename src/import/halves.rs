@@ -73,8 +73,7 @@ fn compare(right: &Chain, image: &Chain, tool: ToolId, frame: &Frame) -> Result 
     }
     let (place, distance) = (frame.place(at), (distance * 1e4).round() / 1e4);
     let what = format!(
-        "the two halves of the {tool} differ, most by {distance} mm: {source} at {place} is so far away from the mirror \
-         image of the other half"
+        "the two halves of the {tool} differ, most by {distance} mm: {source} at {place} is so far from the other's image"
     );
     Err(source.error(what, "draw one half only, or both alike; --axis says where the axis is if it is not x = 0"))
 }

@@ -41,9 +41,7 @@ pub(super) fn heading(chains: &[(ToolId, Chain)], option: Option<Heading>, frame
         (Some(option), ..) => (option, "as asked for".to_owned()),
         (None, Some((first, a)), Some((second, b))) => {
             let [a, b] = [a.name(), b.name()];
-            let what = format!(
-                "the walls disagree about which way the punch moves: the {first}'s say {a}, the {second}'s say {b}"
-            );
+            let what = format!("walls disagree which way the punch moves: the {first}'s say {a}, the {second}'s {b}");
             let help = "a punch's wall goes away from the sheet, and so does a die's, to the other side; is a layer named \
                         after the wrong tool? --punch-moves down or up decides";
             return Err(ImportError::new(what, help));
@@ -108,9 +106,7 @@ fn outward(tool: ToolId, chain: Chain, heading: Heading, frame: &Frame) -> Resul
     let is_wall = chain.pieces().all(|piece| piece.sample(8).iter().all(|p| (p.x - a.x).abs() <= frame.join));
     if is_wall || ahead.abs() <= frame.join {
         let place = frame.place(a);
-        let what = format!(
-            "the sheet lies on neither side of the {tool}'s line: it begins and ends at one distance from the axis, {place}"
-        );
+        let what = format!("the {tool}'s line begins and ends at one r, {place}: on which side of it is the sheet?");
         return Err(ImportError::new(what, "draw the face that meets the sheet too, from its inner to its outer end"));
     }
     Ok(if tool.role.side() * ahead > 0.0 { chain } else { chain.reversed() })

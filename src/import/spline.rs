@@ -46,9 +46,7 @@ impl Curve {
         }
         if degree == 0 || degree > DEGREE || control.len() <= degree || knots.len() != control.len() + degree + 1 {
             let (points, knots) = (control.len(), knots.len());
-            return Err(format!(
-                "is damaged: degree {degree}, {points} control points and {knots} knots do not go together"
-            ));
+            return Err(format!("is damaged: degree {degree}, {points} control points and {knots} knots do not match"));
         }
         let inner = &knots[1..knots.len() - 1];
         let rises = knots.windows(2).all(|w| w[0] <= w[1]) && inner.windows(degree + 1).all(|w| w[0] < w[degree]);

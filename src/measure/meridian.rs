@@ -128,8 +128,7 @@ impl Meridian {
                 legs.extend(self.leg([start, end], sense));
             }
             // Without a straight stretch the slope of the wall is that of its inflection.
-            let opposite = outer.filter(|bend| bend.sense != inner.sense && legs.len() == before);
-            legs.extend(opposite.and_then(|bend| {
+            legs.extend(outer.filter(|bend| bend.sense != inner.sense && legs.len() == before).and_then(|bend| {
                 let i = (inner.sharpest..bend.sharpest).find(|i| inner.sense * self.curvature[i + 1] <= 0.0)?;
                 let (at, half) = (self.crossing(i, i + 1, |i| inner.sense * self.curvature[i]), 0.5 * self.thickness);
                 Some(Stretch { ends: [at - half, at + half], sense: inner.sense })

@@ -145,11 +145,12 @@ impl Shape {
     }
 }
 
-/// Diameter of the edge outside, over its wall \[mm\].
-pub fn end_diameter(frame: &Frame) -> Option<f64> {
-    let [.., before, edge] = &frame.nodes[..] else { return None };
-    let upright = (edge.z - before.z) / (edge.z - before.z).hypot(edge.r - before.r);
-    Some(2.0 * edge.r + edge.thickness * upright.abs())
+/// Diameters outside, over the wall, from the second node to the edge \[mm\].
+pub fn outside_diameters(frame: &Frame) -> impl Iterator<Item = f64> {
+    frame.nodes.windows(2).map(|pair| {
+        let (along, rise) = (pair[1].r - pair[0].r, pair[1].z - pair[0].z);
+        2.0 * pair[1].r + pair[1].thickness * rise.abs() / along.hypot(rise)
+    })
 }
 
 /// Outside height of a part along the punch travel \[mm\]: from the bottom's outer face to the flange's, or to the rim's edge.

@@ -126,6 +126,11 @@ impl Model {
         role.further().and_then(|number| self.further.get(number)).map_or(role.name(), String::as_str)
     }
 
+    /// True of a tube under pressure: its guided end is taken as the middle (declared).
+    pub fn is_half_tube(&self) -> bool {
+        self.blank.is_open() && self.blank.inner_edge == Edge::Guided && !self.gas.is_empty()
+    }
+
     /// Tool that works: the punch if it moves, else the one that goes furthest, else the further tool that presses most.
     pub fn worker(&self) -> Role {
         let travel = |tool: &&Tool| tool.motion.displacement(self.travel, self.travel).norm();

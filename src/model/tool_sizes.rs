@@ -48,6 +48,15 @@ pub fn throat(die: &Tool) -> Option<f64> {
     (die.profile.last().x > 1e-6).then(|| extent(die).0)
 }
 
+/// Name of a punch that forms the end of a tube: both ends of a groove are open upward, the bore of a nosing die goes down.
+pub fn name_on_tube(punch: &Tool) -> &'static str {
+    match punch.profile.ends() {
+        [Some((_, inner)), Some((_, outer))] if inner.y > 0.5 && outer.y > 0.5 => "groove",
+        [Some((_, inner)), _] if inner.y < -0.5 => "nosing die",
+        _ => "punch",
+    }
+}
+
 /// True of a round punch and a die with a bottom that are both as wide as the flat blank.
 pub fn embosses(model: &Model) -> bool {
     let is_wide = |punch: &Tool| model.blank.meridian.is_none() && extent(punch).1 >= model.blank.length;

@@ -22,7 +22,7 @@ pub(super) fn panel(view: &StageView, least: f64) -> Option<Panel> {
         let at = curve.iter().min_by(|a, b| (a.0 - middle).abs().total_cmp(&(b.0 - middle).abs()))?;
         Some(Annotation::flag(&band.name, *at))
     });
-    let x = Axis::named("Length along the part from its middle", Unit::Mm);
+    let x = Axis::named("Length along the part", Unit::Mm);
     let panel = Panel::fit(x, THICKNESS.axis(view.extent()), HEIGHT, least).with(borders).annotated(names);
     // The style of the last frame in the panel over the blank.
     Some(panel.with([Series::silent(curve, Style::curve(view.shown_frames().len().saturating_sub(1)))]))

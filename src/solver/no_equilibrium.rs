@@ -64,8 +64,7 @@ fn loose_strip(step: &Step, i: usize) -> Option<Stop> {
     let (travel, s0) = (Amount::place(step.state.travel), step.state.s0[i]);
     (step.model.blank.theory == Theory::Membrane && is_loose(step.context)).then(|| {
         let at = Amount::place(s0);
-        let text =
-            format!("mechanism: at {travel} of travel nothing holds the strip of membranes; it gives way at s0 = {at}");
+        let text = format!("mechanism: at {travel} of travel nothing holds the membranes; they give way at s0 = {at}");
         Stop::at(StopKind::Mechanism, s0, text)
     })
 }
@@ -155,9 +154,7 @@ fn arch(step: &Step, steps: &[StepRecord]) -> Option<Stop> {
     let ahead = state.nodes[0][1] - 0.5 * state.thickness_at(0) - top;
     let presses = model.gas.is_empty() && steps.last().is_some_and(|last| last.punch_force > 0.0);
     let (travel, way) = (Amount::place(state.travel), Amount::thickness(ahead));
-    let text = format!(
-        "arched: at {travel} of travel the sheet's middle is {way} ahead of the punch, an arch that snaps through"
-    );
+    let text = format!("arched: at {travel} of travel the middle is {way} ahead of the punch: it snaps through");
     (pushes(punch) && presses && ahead > AHEAD * model.blank.thickness).then(|| Stop::new(StopKind::Arched, text))
 }
 

@@ -147,14 +147,12 @@ impl Termination {
                 )
             }
             StopKind::LeftDie => {
-                format!("drawn through: {at} the rim has left the die's shoulder: strip it off the punch")
+                format!("drawn through: {at} the rim has left the shoulder: strip it off the punch")
             }
             StopKind::DrawnThrough => format!("drawn through: the blank's edge has passed the die's throat {at}"),
             StopKind::Coalesced => {
                 let (s0, voids) = (Amount::place(record.porous_s0), Amount::share(record.porosity));
-                let text = format!(
-                    "voids grown together {at}: the sheet tears at s0 = {s0}, where {voids} of its volume are voids"
-                );
+                let text = format!("voids grown together {at}: the sheet tears at s0 = {s0}, with {voids} of voids");
                 return Some(Stop::at(kind, record.porous_s0, text));
             }
             StopKind::EdgeLimit => format!("edge cracked: at {travel} the hole is Ø {hole}, its limit"),

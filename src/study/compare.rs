@@ -159,8 +159,7 @@ impl SideBySide {
     }
 
     /// Remark on the [`overview`](Self::overview).
-    pub const DIFFERENCES: &str =
-        "in parentheses: differences from the first beyond both error bars, and those without bars";
+    pub const DIFFERENCES: &str = "in parentheses: differences from the first beyond both error bars, or without bars";
 
     /// A row for every quantity, a column for every run: its value, and the difference where it is none of the error bars.
     pub fn overview(&self) -> ReportTable {

@@ -67,9 +67,7 @@ impl Unit {
         let (spelling, unit) =
             spellings().filter(ends).max_by_key(|(spelling, _)| spelling.len()).ok_or_else(|| {
                 let known = spellings().map(|(spelling, _)| spelling).collect::<Vec<_>>().join(", ");
-                format!(
-                    "column `{header}` must end in a unit, as in `travel_mm` or `punch_force_kN`; known units: {known}"
-                )
+                format!("column `{header}` must end in a unit, as `travel_mm`; known units: {known}")
             })?;
         let size = |name: &str| parse(&format!("1 {}", name.replace("_per_", "/"))).map_or(1.0, |parsed| parsed.value);
         Ok((unit, if spelling == unit.spelled() { 1.0 } else { size(spelling) / size(unit.spelled()) }))

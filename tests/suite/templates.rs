@@ -237,7 +237,7 @@ fn a_tube_has_its_end_or_folds() {
     let land = [("land", "10 mm")];
     for (given, wanted) in [(&[][..], 48.0), (&land, 48.0), (&[("end", "16 mm")], 32.0), (&[("end", "28 mm")], 56.0)] {
         let case = made("tube-end", given, &[]);
-        let end = stampflow::measure::end_diameter(solved(&case)[0].frames.last().unwrap()).unwrap();
+        let end = stampflow::measure::outside_diameters(solved(&case)[0].frames.last().unwrap()).last().unwrap();
         assert_relative_eq!(end, wanted, max_relative = 0.01);
     }
     let case = made("tube-inversion", &[("groove", "3 mm")], &[]);

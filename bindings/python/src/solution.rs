@@ -87,7 +87,7 @@ impl Solution {
         let nodes = &kept[0].nodes;
         let nodes = Table::new(vec![
             field("r", "Distance from the axis", Unit::Mm, nodes, |node| node.r),
-            field("z", "z, along punch travel", Unit::Mm, nodes, |node| node.z),
+            field("z", "z, along the axis", Unit::Mm, nodes, |node| node.z),
             field("theta", "Rotation of the fibre", Unit::None, nodes, |node| node.theta),
             field("thickness", "Thickness", Unit::Mm, nodes, |node| node.thickness),
         ]);
@@ -200,7 +200,7 @@ fn outlines<'py>(py: Python<'py>, model: &Model, moved: &[Point]) -> Outlines<'p
     let tools = model.tools.iter().enumerate().map(|(i, tool)| {
         let (points, moved) = (tool.profile.polyline(ARC), moved.get(i).copied().unwrap_or_default());
         let r = field("r", "Distance from the axis", Unit::Mm, &points, |point| point.x + moved.x);
-        let z = field("z", "z, along punch travel", Unit::Mm, &points, |point| point.y + moved.y);
+        let z = field("z", "z, along the axis", Unit::Mm, &points, |point| point.y + moved.y);
         (tool.role.name(), columns(py, Table::new(vec![r, z])))
     });
     tools.collect()

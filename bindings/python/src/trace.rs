@@ -65,7 +65,7 @@ fn tables(model: &Model, iterate: &IterateSnapshot) -> [Table; 3] {
     });
     let nodes = vec![
         field("r", "Distance from the axis", Unit::Mm, nodes, |node| node[0]),
-        field("z", "z, along punch travel", Unit::Mm, nodes, |node| node[1]),
+        field("z", "z, along the axis", Unit::Mm, nodes, |node| node[1]),
         field("theta", "Rotation of the fibre", Unit::None, nodes, |node| node[2]),
         field("imbalance_r", "Force out of balance along r", force, imbalance, |forces| times * forces[0]),
         field("imbalance_z", "Force out of balance along z", force, imbalance, |forces| times * forces[1]),
@@ -82,7 +82,7 @@ fn tables(model: &Model, iterate: &IterateSnapshot) -> [Table; 3] {
     ];
     let contacts = vec![
         field("r", "Distance from the axis", Unit::Mm, contacts, |at| at.position[0]),
-        field("z", "z, along punch travel", Unit::Mm, contacts, |at| at.position[1]),
+        field("z", "z, along the axis", Unit::Mm, contacts, |at| at.position[1]),
         field("force_r", "Force on the sheet along r", force, contacts, |at| times * at.force[0]),
         field("force_z", "Force on the sheet along z", force, contacts, |at| times * at.force[1]),
         field("sticks", "Sticks", Unit::None, contacts, |at| flag(at.sticks)),

@@ -4,7 +4,7 @@ use super::{Line, line, number, size_of};
 use crate::assess::estimate;
 use crate::contact::friction::Friction;
 use crate::geometry::Piece;
-use crate::model::tool_sizes::{embosses, extent, mouth, throat, widens};
+use crate::model::tool_sizes::{embosses, extent, mouth, name_on_tube, throat, widens};
 use crate::model::{Bead, Edge, Face, Gas, Geometry, Mode, Model, Motion, Pressure, Role, Tool, stage::Stage};
 use crate::rules::Metal;
 use crate::units::{Amount, Digits, Unit, joined};
@@ -56,7 +56,8 @@ pub fn of_tool(model: &Model, tool: &Tool) -> Line {
     };
     let drive = tool.role.further().map_or_else(String::new, |_| drive(model, tool));
     let meaning = joined([of, drive, mouth, opening(tool), corners(tool, model.blank.thickness), friction], ", ");
-    line(model.name_of(tool.role), size, meaning)
+    let on_tube = tool.role == Role::Punch && model.blank.is_open();
+    line(if on_tube { name_on_tube(tool) } else { model.name_of(tool.role) }, size, meaning)
 }
 
 fn opening(tool: &Tool) -> String {
@@ -119,8 +120,7 @@ pub(super) fn holder(model: &Model) -> Vec<Line> {
     let on = "on the initial area between holder and die's flat";
     lines.push(number("holder pressure", Amount::stress(pressure), on));
     lines.extend(estimate::siebel_pressure(model).map(|siebel| {
-        let rule =
-            "against wrinkles, by Siebel's rule, 0.0025 [(β − 1)² + 0.5 d/(100 t)] R_m (Kugler, Umformtechnik, 2009)";
+        let rule = "against wrinkles, by Siebel's rule, 0.0025 [(β − 1)² + 0.5 d/(100 t)] R_m (Kugler 2009)";
         number("least pressure", Amount::stress(siebel), format!("{rule}: {}", force(siebel * area)))
     }));
     lines

@@ -119,8 +119,7 @@ impl DrawnTools {
         let clearance = self.clearance().filter(|clearance| *clearance > WIDE * thickness)?;
         let [gap, t, times] = [(clearance, 3), (thickness, 3), (clearance / thickness, 1)].map(|(n, d)| trimmed(n, d));
         let placeholder = if self.thickness.is_given() { "" } else { ", a placeholder" };
-        let what =
-            format!("the drawing leaves {gap} mm between punch and die, {times} times the sheet's thickness of {t} mm");
+        let what = format!("punch and die are drawn {gap} mm apart, {times} times the sheet's thickness of {t} mm");
         Some(format!("{what}{placeholder}: check --unit and --thickness"))
     }
 

@@ -27,8 +27,7 @@ pub(super) fn v_bend(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError
     let why = format!("half of the V's width of {wide} less its shoulder{}", width.reason(", "));
     let throat = Picked::by(reach - shoulder.value, why);
     let help = "make --width larger, or --nose or --shoulder smaller";
-    let what =
-        || format!("a V {wide} wide between the centres of its shoulders leaves no room for the punch and the sheet");
+    let what = || format!("a V {wide} wide between the centres of its shoulders has no room for punch and sheet");
     ensure(throat.value >= nose.value + t, what, help)?;
     // Straight legs from nose to shoulder.
     let radii = nose.value + shoulder.value + t;
@@ -106,8 +105,7 @@ pub(super) fn stretch_bend(inputs: &Inputs, sheet: &Sheet) -> Result<Values, Cas
     ensure(stretch.value > least && stretch.value < most, what, "give --stretch between, or another --angle")?;
     let radii = radius + shoulder.value + t;
     let reach = radii * (turn.tan() - turn) / (most - stretch.value);
-    let what =
-        || format!("clamps {} from the middle have no room for edges of {}", plain(reach), plain(shoulder.value));
+    let what = || format!("clamps {} from the middle lack room for edges of {}", plain(reach), plain(shoulder.value));
     let help = "make --shoulder smaller, or --radius or --stretch larger, or --angle smaller";
     ensure(reach > shoulder.value + t, what, help)?;
     let why = format!("clamped where the shoulder ends, which stretches it by {wanted}{}", stretch.reason(", "));

@@ -36,16 +36,12 @@ pub(super) fn bulge(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError>
     let biaxial = sheet.metal.yield_criterion.biaxial_factor();
     let stress = |strain: f64| biaxial * sheet.metal.hardening.at(strain / biaxial).stress;
     let pressure_at = |height: f64| rules::bulge_pressure(opening, height, t, stress);
-    let why =
-        format!("p = 2 σ t/R of a spherical cap {} high, t₀/t = (1 + h²/a²)² (Hill 1950, not read)", plain(height));
+    let why = format!("p = 2 σ t/R of a cap {} high, t₀/t = (1 + h²/a²)² (Hill 1950, not read)", plain(height));
     let pressure = inputs.pick("pressure", || Picked::by(pressure_at(height), why));
     let largest = (1..=100).map(|i| pressure_at(0.01 * f64::from(i) * opening)).fold(0.0, f64::max);
     let what = || {
         let (height, pressure) = (plain(height), pressure.value);
-        format!(
-            "the sheet bears {largest:.2} MPa at most: a dome {height} high and a pressure of {pressure:.2} MPa are beyond that, \
-             it would burst"
-        )
+        format!("the sheet bears {largest:.2} MPa: with a dome {height} high or {pressure:.2} MPa it would burst")
     };
     let is_rising = height <= opening && pressure_at(height) >= pressure_at(0.98 * height);
     ensure(is_rising && pressure.value < largest, what, "make --height or --pressure smaller")?;
@@ -63,8 +59,7 @@ pub(super) fn hydroform(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseEr
     let [corner, shoulder] = ["corner", "shoulder"].map(|key| inputs.pick(key, || rules::tool_radius(t)));
     let (r, edge) = (corner.value, opening + shoulder.value);
     let [deep, least, wide] = [depth, r + shoulder.value, 2.0 * opening].map(plain);
-    let what =
-        || format!("a cavity {deep} deep and Ø {wide} has no room for the radii of its edge and its corner, {least}");
+    let what = || format!("a cavity {deep} deep and Ø {wide} has no room for the radii of edge and corner, {least}");
     ensure(
         depth >= r + shoulder.value && r <= opening,
         what,
@@ -72,8 +67,7 @@ pub(super) fn hydroform(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseEr
     )?;
     let grown = (1.0 + 2.0 * depth / opening).ln();
     let flow = sheet.metal.hardening.at(grown).stress;
-    let why =
-        "σ t/r of the corner, with the flow stress where the area has grown as from disc to sharp-cornered cavity";
+    let why = "σ t/r of the corner, with the flow stress where the area has grown from disc to sharp-cornered cavity";
     let pressure = inputs.pick("pressure", || Picked::by(rounded_up(flow * t / r, 2), why));
     let (down, into) = (Point::new(opening, shoulder.value), Point::new(opening, depth - r));
     let wall = (into.y > down.y + 1e-6).then_some((into, None));
@@ -105,8 +99,7 @@ pub(super) fn emboss(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError
         // Radius of the dome and of the hollow bend at its foot, whose centres and ends are in line.
         let both = (boss * boss + depth * depth) / (2.0 * depth);
         let dome = both - bends[1];
-        let what =
-            || format!("a dome Ø {wide} and {deep} deep has no room for the bend at its foot, {}", plain(bends[1]));
+        let what = || format!("a dome Ø {wide} and {deep} deep lacks room for a bend at its foot, {}", plain(bends[1]));
         ensure(depth < boss && dome > bends[1], what, "make --depth or --radius smaller")?;
         let end = dome / both * Point::new(boss, -depth);
         let steps = [

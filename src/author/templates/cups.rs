@@ -35,12 +35,9 @@ pub(super) fn conical(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseErro
     let bottom = mouth - height * angle.tan();
     let nose_width = nose.value * (0.5 * (FRAC_PI_2 - angle)).tan();
     let what = || {
-        let (degrees, [height, mouth, bottom, nose]) =
-            (angle.to_degrees(), [height, mouth, bottom, nose_width].map(plain));
-        format!(
-            "a wall at {degrees:.1}° to the axis and {height} deep narrows from {mouth} at the mouth to {bottom} at the bottom, \
-             where the nose takes {nose}"
-        )
+        let [height, mouth, bottom, nose] = [height, mouth, bottom, nose_width].map(plain);
+        let angle = angle.to_degrees();
+        format!("a wall at {angle:.1}° and {height} deep narrows from {mouth} to {bottom}, where the nose takes {nose}")
     };
     let help = "make --height, --angle or --nose smaller, or --punch-radius larger";
     ensure(angle < 80f64.to_radians() && bottom >= nose_width, what, help)?;
@@ -53,8 +50,7 @@ pub(super) fn conical(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseErro
     };
     let ratio = draw_ratio(|height| blank_for(height, t), [0.0, height], mouth, ONE_DRAW, "a smaller --flange")?;
     let clearance = inputs.pick("clearance", || rules::drawing_clearance(t, ratio));
-    let why =
-        "half of D, D² = d₁² + 2 s (d₁ + d₂) + D_f² − d₂²: bottom, cone of side s and flange keep their area (Guldin)";
+    let why = "half of D, D² = d₁² + 2 s (d₁ + d₂) + D_f² − d₂²: bottom, cone s and flange keep their area (Guldin)";
     let blank = Picked::nearest(blank_for(height, clearance.value), 0.05, why);
     let draw = Draw { punch: mouth, corner: nose.value, ratio, clearance, shoulder, blank };
     let (mut sizes, _) = draw.values(inputs, sheet)?;

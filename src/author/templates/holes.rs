@@ -2,6 +2,7 @@
 
 use super::{strips::corrected, *};
 use crate::measure::part_height;
+use crate::units::Amount;
 
 /// Half of the included angle of conical punches, 60° (ISO 16630, not read) \[rad\].
 const HALF: f64 = PI / 6.0;
@@ -34,6 +35,10 @@ pub(super) fn hole_expansion(inputs: &Inputs, sheet: &Sheet) -> Result<Values, C
     let widest = throat - 2.0 * t;
     let what = || format!("a hole of {} leaves no room in a die of {}", plain(2.0 * hole), plain(2.0 * throat));
     ensure(hole >= t && widest >= 2.0 * hole, what, "make --throat larger, or --hole other: a thickness at least")?;
+    let most = Amount::share(widest / hole - 1.0);
+    let what = || format!("the die of Ø {} lets the hole expand by {most}, not to its edge limit", plain(2.0 * throat));
+    let fits = inputs.number("edge-limit").is_none_or(|limit| 100.0 * limit < most.value);
+    ensure(fits, what, "make --throat larger, or --hole or --edge-limit smaller")?;
     let shoulder = inputs.pick("shoulder", || rules::tool_radius(t));
     let (end, rim) = (throat + shoulder.value, Point::new(throat, -throat / HALF.tan()));
     let travel = inputs.pick("travel", || match inputs.number("edge-limit") {

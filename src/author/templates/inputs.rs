@@ -13,7 +13,7 @@ use std::{collections::BTreeMap, str::FromStr};
 pub struct Choice {
     /// Name, without dashes in front.
     pub key: String,
-    /// Kind of its value, as in help texts: LENGTH, STRESS, ANGLE, FORCE, PERCENT, NUMBER, FRACTION, SWITCH or NAME.
+    /// Kind of its value, as in help texts: LENGTH, FEED, STRESS, ANGLE, FORCE, PERCENT, NUMBER, FRACTION, SWITCH or NAME.
     pub value: String,
     /// Default value, or in words the rule that picks it.
     pub default: String,
@@ -35,6 +35,7 @@ impl Choice {
         }
         match self.value.as_str() {
             "LENGTH" => number::<Positive<Length>>(text),
+            "FEED" => number::<NonNegative<Length>>(text),
             "STRESS" => number::<Positive<Stress>>(text),
             "ANGLE" => number::<Positive<Angle>>(text),
             "FORCE" => number::<Positive<Force>>(text),

@@ -125,7 +125,7 @@ impl Template {
         })?;
         let (width, most) = (size::across(case.model()), rules::WIDEST);
         let what =
-            || format!("the blank would be {} wide; stampings are up to {}", plain(significant(width, 3)), plain(most));
+            || format!("a blank {} wide is odd: stampings are up to {}", plain(significant(width, 3)), plain(most));
         ensure(width <= most, what, &format!("are the units right? given: {with}"))?;
         Ok(text)
     }

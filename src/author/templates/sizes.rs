@@ -22,7 +22,7 @@ impl Values {
         let what = || {
             let [end, edge] = [end, edge].map(|length| plain(significant(length, 4)));
             format!(
-                "the blank ends at {edge}, where the die's shoulder still bends it (up to {end}): there is nothing to hold"
+                "the blank ends at {edge}, where the shoulder still bends it (up to {end}): there is nothing to hold"
             )
         };
         ensure(edge > end, what, "make the part higher, or --shoulder or --clearance smaller")?;

@@ -2,7 +2,7 @@
 
 use super::{holes::cone, strips::corrected, *};
 use crate::assess::folded;
-use crate::measure::end_diameter;
+use crate::measure::outside_diameters;
 use crate::units::Amount;
 use std::cell::Cell;
 
@@ -34,8 +34,11 @@ fn formed(inputs: &Inputs, mut sizes: Values, punch: String, travel: &Picked) ->
 pub(super) fn end(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
     let (t, [end, angle], land) = (sheet.thickness, inputs.values(["end", "angle"]), inputs.number("land"));
     let corner = inputs.pick("corner", || rules::tool_radius(t)).value;
-    let (outside, sizes) = tube(inputs, sheet, 1.0, corner, &format!("end formed to Ø {}", plain(2.0 * end)))?;
-    let what = || format!("a cone of {} to the axis is none", Amount::angle(angle));
+    let verb = if end < inputs.value("tube") { "nosed" } else { "formed" };
+    let (outside, sizes) = tube(inputs, sheet, 1.0, corner, &format!("end {verb} to Ø {}", plain(2.0 * end)))?;
+    let what = || format!("nothing is formed: the tube and its end are both Ø {} outside", plain(2.0 * outside));
+    ensure((end - outside).abs() > 0.1 * t, what, "another --end or --tube, by a tenth of the thickness at least")?;
+    let what = || format!("a cone of {} to the axis is none", Amount::angle(angle.to_degrees()));
     ensure((0.05..1.4).contains(&angle), what, "--angle between 3° and 80°")?;
     let ((sin, cos), far) = (angle.sin_cos(), 2.0 * inputs.value("length"));
     // A wall that keeps its length goes up the cone by Δr/sin α, beyond the Δr/tan α of its height.
@@ -66,7 +69,7 @@ pub(super) fn end(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
     let tool = f64::from(land.is_some());
     let missed = Cell::new(0.0);
     let values = corrected("tube-end", 1, [end, first], values, |frame| {
-        let missing = end - 0.5 * end_diameter(frame)?;
+        let missing = end - 0.5 * outside_diameters(frame).last()?;
         // Of a sheet that folds the verdict says so.
         missed.set(if folded(frame).is_some() { 0.0 } else { missing });
         Some([tool, flare].map(|share| share * missed.get()))
@@ -83,9 +86,15 @@ pub(super) fn inversion(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseEr
     let why = "½ √(R t) of a free knuckle and half a wall, 6 thicknesses at least for shells";
     let free = || Picked::by(rounded_up(knuckle.max(rules::tool_radius(t).value), 2), why);
     let groove = inputs.pick("groove", free);
-    let (r, guide) = (groove.value, outside - t);
+    let (r, guide, middle) = (groove.value, outside - t, groove.value - 0.5 * t);
     let what = || format!("a groove of R {} has no room for a wall of {}", plain(r), plain(t));
     ensure(r > t, what, "make --groove larger: a thickness at least")?;
+    // Work of widening and of two bends, with friction round the groove, over that of the wall at yield.
+    let work = (2.0 * middle / (outside - 0.5 * t)).ln_1p() + 0.5 * t / middle;
+    let used = Amount::share((PI * inputs.value("friction")).exp() * work);
+    let what = || format!("to turn round a groove of R {} takes {used} of what the tube's wall bears", plain(r));
+    let help = format!("make --groove smaller: a free knuckle has R {}", plain(rounded_up(knuckle, 2)));
+    ensure(used.value < 100.0, what, &help)?;
     let (_, mut sizes) = tube(inputs, sheet, 1.0, r, "turned inside out")?;
     sizes.set("groove", format!("R {}", plain(r)), "");
     let center = Some((Point::new(guide + r, 0.0), true));
@@ -99,8 +108,9 @@ pub(super) fn inversion(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseEr
 pub(super) fn bulge(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
     let (t, [bulge, length, width, feed]) = (sheet.thickness, inputs.values(["bulge", "length", "width", "feed"]));
     let rise = bulge - inputs.value("tube");
-    let corner =
-        Picked::by(rules::tool_radius(t).value.min(0.5 * rise), "6 thicknesses, or half the height of the bulge");
+    let what = || format!("a bulge of Ø {} is no wider than its tube", plain(2.0 * bulge));
+    ensure(rise > 0.0, what, "make --bulge larger, or --tube smaller")?;
+    let corner = Picked::by(rules::tool_radius(t).value.min(0.5 * rise), "6 thicknesses, or half the bulge's height");
     let (r, half) = (inputs.pick("corner", || corner).value, 0.5 * width);
     let (outside, mut sizes) = tube(inputs, sheet, 0.5, r, &format!("bulged to Ø {}", plain(2.0 * bulge)))?;
     let [corner, high, wide] = [r, rise, width].map(plain);
@@ -118,13 +128,16 @@ pub(super) fn bulge(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError>
     let along = [(Point::new(bulge, into.y), Some((into, true))), (Point::new(bulge, t), None)];
     let steps: Vec<_> = onto.into_iter().chain(flank).chain(along).collect();
     sizes.set("die", profile_text(Point::new(outside, -length), &steps, exact), "");
-    sizes.lengths([("feed", &Picked::input(feed))]);
     let first = Picked::by(rounded_up(stress(0.02) * t / outside, 2), "σ t/R of the tube, so that it does not fold");
     let forming = Picked::by(rounded_up(1.2 * bulged * t / outside, 2), "a fifth above σ t/R of the bulge, declared");
     for (name, pressure) in [("first", first), ("forming", forming), ("pressure", pressure)] {
         sizes.set(name, format!("\"{} MPa\"", rounded(pressure.value)), &pressure.why);
     }
-    sizes.set("begun", mm(0.02 * feed), "");
-    sizes.set("fed", mm(0.999 * feed), "");
+    if feed > 0.0 {
+        for (name, share) in [("begun", 0.02), ("fed", 0.999), ("feed", 1.0)] {
+            sizes.set(name, exact(share * feed), "");
+        }
+    }
+    sizes.set(if feed > 0.0 { "is_fed" } else { "is_free" }, "", "");
     Ok(sizes)
 }

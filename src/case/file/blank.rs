@@ -132,8 +132,7 @@ impl CaseFile {
             let (key, hole) = radius_of(source, "blank", self.geometry, ["hole", "hole_diameter", "radius"], holes)?;
             let room = length - SLENDER * thickness;
             let what = format!("a hole of {} mm radius does not fit the blank of {long} mm", rounded(hole));
-            let help =
-                format!("from half a thickness to {} mm, where five thicknesses of sheet are left", rounded(room));
+            let help = format!("from half a thickness to {} mm, where 5 thicknesses of sheet are left", rounded(room));
             source.require((0.5 * thickness..=room).contains(&hole), &format!("blank.{key}"), what, help)?;
             let what = "the pressure would escape through the hole";
             source.require(self.gas.is_none(), &format!("blank.{key}"), what, "drop the hole or [gas]")?;

@@ -51,8 +51,7 @@ impl Counter<'_> {
         } else {
             let (end, tangent) = (line.last().x, line.pieces()[line.pieces().len() - 1].tangent(true));
             let has_face = role == Role::Punch || end >= context.blank.length || tangent.y >= -STEEP;
-            let what =
-                format!("the {other}'s wall goes down inside of the blank, at r = {end:.3} mm: its offset has no face");
+            let what = format!("a {other}'s wall goes down inside the blank, r = {end:.3} mm: its offset has no face");
             let help = "give the radius of the corner between wall and face, such as shoulder = \"6 mm\"";
             source.require(has_face, path, what, help)?;
             let (profile, shift) = source.silently(|| self.placed(line.reversed()))?;

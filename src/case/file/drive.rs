@@ -96,9 +96,7 @@ fn driven_by(points: &[(NonNegative<Time>, NonNegative<Length>)], path: &str, so
     for (i, w) in points.windows(2).enumerate() {
         for (unit, from, to, whole) in [("s", w[0].0, w[1].0, last.0), ("mm", w[0].1, w[1].1, last.1)] {
             let (before, after) = (rounded(from), rounded(to));
-            let what = format!(
-                "`{key}` must rise by a millionth of the whole or more, found {after} {unit} after {before} {unit}"
-            );
+            let what = format!("`{key}` must rise by a millionth or more, found {after} {unit} after {before} {unit}");
             let help = "the punch neither rests nor returns: sort the points, and let it move from each to the next";
             source.require(to - from >= CLOSEST * whole && to > from, &format!("{path}.{}", i + 1), what, help)?;
         }
@@ -113,9 +111,7 @@ pub fn check_settings(settings: &Settings, source: &Source) -> Result<()> {
         let Settings { min_step, first_step, max_step, .. } = settings;
         let given = source.written("solver", &["first_step", "max_step", "min_step"]);
         let path = format!("solver.{}", given.first().unwrap_or(&key));
-        let what = format!(
-            "steps must satisfy min_step <= first_step <= max_step, found {min_step}, {first_step}, {max_step}"
-        );
+        let what = format!("steps go min_step <= first_step <= max_step, found {min_step}, {first_step}, {max_step}");
         return Err(source.error(&path, what, "they are fractions of the travel"));
     }
     let help = match error.nearest {

@@ -100,9 +100,7 @@ fn clearance(model: &Model, [punch, die]: [&Tool; 2], throat: (f64, &str), sourc
 pub fn collisions(model: &Model, source: &Source) -> Result<()> {
     let allowed = -OVERLAP * model.blank.thickness;
     let overlap = |a: &Tool, b: &Tool, travel: f64| Some(gap(a, b, travel)).filter(|gap| gap.0 < allowed);
-    let by = |(distance, at): (f64, Point)| {
-        format!("by {:.3} mm at {} (z = 0 is the flat sheet's middle)", -distance, place_of(at))
-    };
+    let by = |(distance, at): (f64, Point)| format!("by {:.3} mm at {} (z = 0 is the sheet)", -distance, place_of(at));
     let [punch, die, holder, pad] = [Role::Punch, Role::Die, Role::Holder, Role::Pad];
     for (a, b) in [(punch, holder), (punch, die), (holder, die), (pad, die)] {
         let (Some(first), Some(second)) = (model.tool(a), model.tool(b)) else { continue };

@@ -128,8 +128,7 @@ impl Further {
         source.one_of(table, &drives, "a tool has one drive")?;
         if let Some(path) = &self.path {
             let points = path.iter().map(|(travel, z)| (travel.value(), z.value())).collect();
-            let what =
-                "a path begins with 0 mm at 0 mm of punch travel, which rises from point to point; a punch travels";
+            let what = "a path begins with 0 mm at 0 mm of punch travel, which rises point by point; a punch travels";
             let begins = |curve: &PiecewiseLinear| curve.points()[0] == (0.0, 0.0) && context.travel > 0.0;
             let curve = PiecewiseLinear::new(points).filter(begins);
             let help = "write [[\"0 mm\", \"0 mm\"], [\"10 mm\", \"4 mm\"]]";

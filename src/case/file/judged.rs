@@ -238,8 +238,7 @@ impl CaseFile {
         let no_angle = written.tolerance.or(written.wall_tolerance).is_none();
         let nothing = !written.is_given() && written.ring.is_none();
         let what = "[springback] has no `tolerance`: nothing says how far the angle may miss";
-        let help =
-            "write tolerance = \"1 deg\" of the angle between both walls, or wall_tolerance = \"0.5 deg\" of each";
+        let help = "write tolerance = \"1 deg\" of the angle of both walls, or wall_tolerance = \"0.5 deg\" of each";
         source.require(!no_angle || (written.angle.is_none() && !nothing), "springback", what, help)?;
         Ok(written)
     }

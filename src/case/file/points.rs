@@ -68,8 +68,7 @@ pub fn convert(
         if moved > 1e-6 {
             let moved = Amount::size(moved);
             source.note(format!(
-                "corners of less than 25° in {file} are rounded off by tangent arcs, up to {moved} beside the chords; \
-                 `fillet` keeps straight lines"
+                "corners below 25° in {file} are rounded by tangent arcs, up to {moved} off the chords; `fillet` keeps lines"
             ));
         }
         rounded

@@ -240,9 +240,7 @@ impl Drawn {
             }
             Some(Fold::Crossing { at, pieces: [i, j] }) => {
                 let (at, first, second) = (place_of(at), end_name(i), end_name(j));
-                let what = format!(
-                    "the {name}'s profile crosses or touches itself at {at}: the pieces to {first} and to {second}"
-                );
+                let what = format!("the {name}'s profile meets itself at {at}: the pieces to {first} and to {second}");
                 Err(self.error(j, source, what, help))
             }
         }

@@ -30,8 +30,7 @@ impl Zone {
             let free = zones.last().map_or(start, |before| before.within[1]);
             let what = format!("a zone from {from} to {to} mm does not fit");
             let help = format!("it lies between {} and {} mm, zones go outward", rounded(free), rounded(edge));
-            let fits = free <= within[0] && within[0] < within[1] && within[1] <= edge;
-            source.require(fits, &path, what, help)?;
+            source.require(free <= within[0] && within[0] < within[1] && within[1] <= edge, &path, what, help)?;
             let thickness = zone.thickness.map_or(blank.thickness, Dimensioned::value);
             let [thick, most] = [thickness, blank.thickness].map(rounded);
             let what = format!("a zone of {thick} mm does not go with the blank of {most} mm");

@@ -39,8 +39,7 @@ fn at(law: &FlowLaw, iterate: &mut Iterate, point: &PointState, u: Layer) -> (La
     ([s, t, ms, mt, shear], matrix(&tangent).into())
 }
 
-/// Trust: central differences with h = 1e-5 of the increment; truncation near 1e-10 of the entries, some thousand times that
-/// where Hosford's curve is flat.
+/// Trust: central differences with h = 1e-5 of the increment; truncation near 1e-10 of the entries, 1e-7 on a flat of Hosford's.
 #[test]
 fn newton_matrix_is_the_derivative_of_stress_and_moment_for_every_law() {
     let rates = Rate::examples();
@@ -66,8 +65,7 @@ fn newton_matrix_is_the_derivative_of_stress_and_moment_for_every_law() {
     }
 }
 
-/// Trust: with w = σ the primal-dual matrix is Newton's, to round-off; with w inside the yield surface it has no negative
-/// eigenvalue, from whatever iterate it comes.
+/// Trust: with w = σ the primal-dual matrix is Newton's, to round-off; with w inside the yield surface no eigenvalue is negative.
 #[test]
 fn primal_dual_matrix_is_newtons_at_the_stress_and_positive_semidefinite_along_any_path() {
     let point = PointState::at(0.05);

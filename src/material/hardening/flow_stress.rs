@@ -63,7 +63,5 @@ pub(super) fn check_saturating([initial, saturation, rate, exponent]: [f64; 4]) 
         format!("needs 0 < initial <= saturation, found {} and {} MPa", rounded(initial), rounded(saturation))
     })?;
     require("rate", rate >= 0.0 && rate.is_finite(), || format!("rate must not be negative, found {rate}"))?;
-    require("exponent", exponent > 0.0 && exponent <= 1.0, || {
-        format!("exponent must lie above 0 and up to 1, found {exponent}")
-    })
+    require("exponent", exponent > 0.0 && exponent <= 1.0, || format!("exponent must be in (0, 1], found {exponent}"))
 }

@@ -23,12 +23,11 @@ impl Cup<'_> {
         ensure(!stays, what, "leave --wall out, or --flange, --step-radius, --recess and --travel")?;
         let (drawn, least) = (last.clearance.value, THINNEST * self.sheet.thickness);
         let [wanted, from, to] = [wall, least, drawn].map(plain);
-        let what =
-            || format!("rings leave {from} of this sheet at least and begin below the gap of {to}, not {wanted}");
+        let what = || format!("rings leave {from} of the sheet at least and begin below the gap of {to}, not {wanted}");
         ensure((least..drawn).contains(&wall), what, "another --wall, or leave it out")?;
         let rings = self.inputs.pick("rings", || Picked::by(((wall / drawn).ln() / RING.ln()).ceil(), "")).value;
         let what = || format!("--rings {rings} is no number of rings");
-        ensure(rings.fract() == 0.0 && (1.0..=MOST_RINGS).contains(&rings), what, "from 1 to 9; a larger --wall")?;
+        ensure(rings.fract() == 0.0 && (1.0..=MOST_RINGS).contains(&rings), what, "a whole number from 1 to 9")?;
         Ok((1..=rings as i32).map(|i| rounded(drawn * (wall / drawn).powf(f64::from(i) / rings))).collect())
     }
 
