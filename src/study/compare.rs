@@ -159,7 +159,8 @@ impl SideBySide {
     }
 
     /// Remark on the [`overview`](Self::overview).
-    pub const DIFFERENCES: &str = "in parentheses: differences from the first beyond both error bars, or without bars";
+    pub const DIFFERENCES: &str =
+        "in parentheses: differences from the first beyond both error bars, and those without bars";
 
     /// A row for every quantity, a column for every run: its value, and the difference where it is none of the error bars.
     pub fn overview(&self) -> ReportTable {

@@ -243,6 +243,16 @@ fn a_tube_has_its_end_or_folds() {
     let case = made("tube-inversion", &[("groove", "3 mm")], &[]);
     let answer = Answer::of(&case, solved(&case), &assess::after(&case, solved(&case)));
     assert!(answer.sentence.starts_with("the sheet folds onto itself in the wall"), "{}", answer.sentence);
+    // A groove of 5.5 knuckles: the wall folds before the end has come round.
+    let case = made("tube-inversion", &[("groove", "20 mm")], &[]);
+    let findings = assess::after(&case, solved(&case));
+    let stop = row(&findings, "stop");
+    assert!(stop.light == Light::Amber && stop.text.contains("it is not inside out"), "{}", stop.text);
+    let case = made("tube-bulge", &[("feed", "0 mm")], &[]);
+    let closing =
+        Answer::of(&case, solved(&case), &[]).numbers.into_iter().find(|number| number.key == "closing_force");
+    // 65 MPa on 223 mm of tube, of them 92 mm wide as the bulge.
+    assert_relative_eq!(closing.unwrap().amount.value, 65.0 * (223.0 * 78.0 + 86.0 * 24.0), max_relative = 0.02);
     let case = made("tube-bulge", &[], &[]);
     let thrust = PI * 39.0 * 39.0 * solved(&case)[0].steps.last().unwrap().pressure;
     let load = row(&assess::after(&case, solved(&case)), "press_force").value().unwrap();
