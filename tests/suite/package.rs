@@ -48,7 +48,7 @@ fn the_package_holds_what_building_needs_and_no_more() {
     let files: BTreeSet<&str> = list.lines().collect();
     let roots: BTreeSet<&str> = files.iter().map(|file| file.split('/').next().expect("a name")).collect();
     let known = ".cargo_vcs_info.json CHANGELOG.md CITATION.cff Cargo.lock Cargo.toml Cargo.toml.orig LICENSE-APACHE \
-                 LICENSE-MIT README.md assets cases reference_data src";
+                 LICENSE-MIT README.md assets cases examples reference_data src";
     let own = "assets/DejaVuSans-LICENSE.txt assets/DejaVuSans-subset.ttf cases/quickstart.toml src/lib.rs src/main.rs";
     assert!(own.split(' ').all(|file| files.contains(file)), "{files:?}");
     assert_eq!(roots, known.split(' ').filter(|name| !name.starts_with('.') || roots.contains(name)).collect());
