@@ -62,6 +62,7 @@ const ON_MODEL: &[fn(&Model) -> Option<Finding>] = &[
     holder::idle,
     holder::crushing,
     tools::narrow,
+    tools::wide,
     tools::overlap,
     solution_quality::mesh,
     draw::ratio,

@@ -4,7 +4,7 @@ use super::tear::{nose, place};
 use super::*;
 use crate::geometry::Point;
 use crate::measure::thickest;
-use crate::model::{Friction, tool_sizes::apart, tool_sizes::throat};
+use crate::model::{Friction, tool_sizes::apart, tool_sizes::mouth, tool_sizes::throat};
 use crate::numerics::bisect;
 use crate::rules::{IRONING_LIMIT, SIZED, strip_clearance};
 
@@ -45,6 +45,16 @@ pub(super) fn narrow(model: &Model) -> Option<Finding> {
     let what = if is_closed { "they squeeze the sheet" } else { "thicker sheet is ironed" };
     let text = format!("at the full travel punch and die are {{}} apart, less than the thickness of {size}: {what}");
     Some(Finding::warning("narrow_clearance", "Clearance", text).number(Amount::size(gap)).at_least(t, None))
+}
+
+/// A punch that an earlier run's cup does not take in.
+pub(super) fn wide(model: &Model) -> Option<Finding> {
+    let (blank, punch) = (&model.blank, model.tool(Role::Punch)?);
+    let sheet = blank.preform.as_ref().filter(|_| model.geometry == Geometry::Axisymmetric)?;
+    let [wide, inside] = [mouth(punch, 0.0), blank.edge_radius() - 0.5 * blank.thickness].map(|half| 2.0 * half);
+    let text = format!("the punch Ø {{}} does not go into the sheet of {}: it pushes on the rim", sheet.folder);
+    let warning = Finding::warning("wide_punch", "Punch", text).number(Amount::drawn(wide)).at_most(inside, None);
+    warning.source("the earlier run's edge").advice(format!("at most Ø {}", Amount::drawn(inside))).if_beyond()
 }
 
 pub(super) fn overlap(model: &Model) -> Option<Finding> {

@@ -236,10 +236,7 @@ proptest! {
     /// Trust: the definition. Radii that fit leave no corner: every vertex is smooth (1e-7 rad: the centre is
     /// found to round-off, and its error is seen over the radius), every arc has its radius.
     #[test]
-    fn fillets_touch(
-        steps in prop::collection::vec((5.0..20.0_f64, -1.4..1.4_f64), 2..7),
-        share in 0.05..0.95_f64,
-    ) {
+    fn fillets_touch(steps in prop::collection::vec((5.0..20.0_f64, -1.4..1.4_f64), 2..7), share in 0.05..0.95_f64) {
         let chain = chain_of(&steps);
         let largest = match fillet(&chain, &vec![1e9; chain.len()]) {
             Err(error) => error.largest,

@@ -230,9 +230,8 @@ fn a_study_file_is_the_command_line() {
     let value: Value = serde_json::from_slice(&done.stdout).unwrap();
     assert_eq!(value["designs"], 4);
     assert!(dir.path().join("a/curves/load-3.csv").is_file() && dir.path().join("a/sweep.png").is_file());
-    let line =
-        ["--vary", "tools.die.shoulder=5..7 mm/2", "--vary", "friction=0.04, 0.08", "--set", "blank.elements=24"];
-    ends(&stampflow(dir.path(), &[&["sweep", "cases/cup.toml", "--quiet", "--out", "b"], &line[..]].concat()), 0, "");
+    let all = ["--vary", "tools.die.shoulder=5..7 mm/2", "--vary", "friction=0.04, 0.08", "--set", "blank.elements=24"];
+    ends(&stampflow(dir.path(), &[&["sweep", "cases/cup.toml", "--quiet", "--out", "b"], &all[..]].concat()), 0, "");
     let table = |folder: &str| fs::read(dir.path().join(folder).join("study.csv")).unwrap();
     assert_eq!(table("a"), table("b"));
     for (study, says) in

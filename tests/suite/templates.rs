@@ -249,8 +249,7 @@ fn a_tube_has_its_end_or_folds() {
     let stop = row(&findings, "stop");
     assert!(stop.light == Light::Amber && stop.text.contains("it is not inside out"), "{}", stop.text);
     let case = made("tube-bulge", &[("feed", "0 mm")], &[]);
-    let closing =
-        Answer::of(&case, solved(&case), &[]).numbers.into_iter().find(|number| number.key == "closing_force");
+    let closing = Answer::of(&case, solved(&case), &[]).numbers.into_iter().find(|n| n.key == "closing_force");
     // 65 MPa on 223 mm of tube, of them 92 mm wide as the bulge.
     assert_relative_eq!(closing.unwrap().amount.value, 65.0 * (223.0 * 78.0 + 86.0 * 24.0), max_relative = 0.02);
     let case = made("tube-bulge", &[], &[]);

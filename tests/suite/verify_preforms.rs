@@ -52,6 +52,10 @@ fn an_earlier_run_goes_on_where_it_ended() {
     std::fs::write(summary, written.replace("\"complete\": true", "\"complete\": false")).expect("written");
     assert!(doubts(&text.replace("520 MPa", "600 MPa")).contains(&"earlier_material"));
     assert!(doubts(&text).contains(&"earlier_run") && !doubts(&text).contains(&"earlier_material"));
+    let wide = "flat = { radius = \"38 mm\", nose = \"6 mm\" }\nfriction = 0.1\ntravel = \"5 mm\"\n\
+                [tools.die]\nthroat = \"39.5 mm\"\nshoulder = \"6 mm\"\nfriction = 0.1\n";
+    let wide = [text.split_once("flat =").expect("a punch").0, wide].concat();
+    assert!(doubts(&wide).contains(&"wide_punch") && !doubts(&text).contains(&"wide_punch"));
     let found = assess::after(&case(&text).expect("a case"), std::slice::from_ref(&again));
     assert_eq!(row(&found, "earlier_run").light, Light::Red);
     let error = |from: &str, to: &str| case(&text.replace(from, to)).expect_err("refused").to_string();
