@@ -20,13 +20,15 @@ pub(super) fn cone(angle: f64, radius: f64, corner: f64, depth: f64) -> (String,
     (profile_text(Point::zeros(), &steps, exact), upright)
 }
 
-fn edge(sizes: &mut Values, inputs: &Inputs, hole: &Picked) {
+fn edge(sizes: &mut Values, inputs: &Inputs, hole: &Picked) -> Result<(), CaseError> {
+    inputs.only_with("edge-scatter", "edge-limit")?;
     sizes.set("hole_diameter", mm(2.0 * hole.value), &hole.why);
     if let Some(limit) = inputs.number("edge-limit") {
         let [expansion, scatter] = [limit, inputs.value("edge-scatter")].map(|ratio| rounded(100.0 * ratio));
         let text = format!("{{ expansion = \"{expansion} %\", scatter = \"{scatter} %\" }}");
         sizes.set("edge_limit", text, "hole expansion ratio");
     }
+    Ok(())
 }
 
 pub(super) fn hole_expansion(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
@@ -48,7 +50,7 @@ pub(super) fn hole_expansion(inputs: &Inputs, sheet: &Sheet) -> Result<Values, C
     let mut sizes = sheet.values(false);
     sizes.die(&Picked::by(2.0 * end, "twice what is formed, declared"), &Picked::input(throat), &shoulder, hole);
     sizes.elements(2.0 * end, f64::min(shoulder.value, hole), 2);
-    edge(&mut sizes, inputs, &Picked::input(hole));
+    edge(&mut sizes, inputs, &Picked::input(hole))?;
     sizes.set("punch", profile_text(Point::zeros(), &[(rim, None)], exact), "");
     sizes.set("clamp", newtons(inputs.value("clamp")), "");
     sizes.lengths([("holder", &Picked::by(end, "where the die's shoulder ends")), ("travel", &travel)]);
@@ -88,7 +90,7 @@ pub(super) fn collar(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError
         sizes.set("diameter", plain(2.0 * radius), "");
         sizes.set("wall_height", plain(height), "");
         sizes.set("punch", punch, "");
-        edge(&mut sizes, inputs, &Picked::by(hole, "as runs of this case need for the height"));
+        edge(&mut sizes, inputs, &Picked::by(hole, "as runs of this case need for the height"))?;
         let travel = Picked::by(depth + height + 2.0 * t, "its wall comes 2 thicknesses past the rim");
         sizes.lengths([("travel", &travel)]);
         Ok(sizes)
