@@ -116,7 +116,7 @@ fn the_last_draw_irons_the_wall_to_its_clearance() {
     let (clearance, ironed, wall) = redraw("last-clearance", "1.2t");
     assert!(clearance.light == Light::Green && ironed > 5.0 && (wall - 1.2).abs() < 0.05, "{ironed} % to {wall} mm");
     let (wide, ..) = redraw("clearance", "1.7t");
-    assert!(wide.light == Light::Amber && wide.advice.contains("`--clearance 1.45t`"), "{wide:?}");
+    assert!(wide.light == Light::Amber && wide.advice.contains("--clearance 1.45t`"), "{wide:?}");
     assert_eq!(redraw("clearance", "1.45t").0.light, Light::Green);
 }
 
