@@ -23,6 +23,11 @@ impl Geometry {
     pub fn area(self, r: f64) -> f64 {
         if self == Self::Axisymmetric { std::f64::consts::PI * r * r } else { r }
     }
+
+    /// Length of a line round the axis or along the depth at the distance `r` \[mm, or 1 per mm of depth\].
+    pub fn line(self, r: f64) -> f64 {
+        if self == Self::Axisymmetric { std::f64::consts::TAU * r } else { 1.0 }
+    }
 }
 
 impl FromStr for Geometry {

@@ -38,7 +38,7 @@ pub struct Round {
 impl Bead {
     /// Length of the line \[mm\], or 1 per mm of depth.
     pub fn line(&self, geometry: Geometry) -> f64 {
-        if geometry == Geometry::Axisymmetric { std::f64::consts::TAU * self.at } else { 1.0 }
+        geometry.line(self.at)
     }
 }
 

@@ -66,8 +66,9 @@ impl BeadPosition {
 pub struct Seal {
     /// Element that the seal cuts; those before it are inside.
     element: usize,
-    /// Share of that element's flat area inside \[–\].
+    /// Share of that element's flat area inside \[–\], and its derivatives by r of both ends \[1/mm\].
     share: f64,
+    slopes: [f64; 2],
 }
 
 impl Seal {
@@ -75,12 +76,21 @@ impl Seal {
     pub fn find(nodes: &[Node], within: f64, geometry: Geometry) -> Self {
         let begins_inside = |ends: &[Node]| ends[1][0] <= within || ends[0][0] < within;
         let Some(element) = nodes.windows(2).rposition(begins_inside) else {
-            return Self { element: 0, share: 0.0 };
+            return Self { element: 0, share: 0.0, slopes: [0.0; 2] };
         };
         let [from, to] = [element, element + 1].map(|i| nodes[i][0]);
         let [inside, whole] = [within, to].map(|r| geometry.area(r) - geometry.area(from));
+        if to <= within {
+            return Self { element: element + 1, share: 0.0, slopes: [0.0; 2] };
+        }
         let share = inside / whole;
-        if to <= within { Self { element: element + 1, share: 0.0 } } else { Self { element, share } }
+        let slopes = [(share - 1.0) * geometry.line(from) / whole, -share * geometry.line(to) / whole];
+        Self { element, share, slopes }
+    }
+
+    /// Derivatives of [`inside`](Self::inside) by r of the element's ends \[1/mm\].
+    pub fn slopes(&self, e: usize) -> [f64; 2] {
+        if e == self.element { self.slopes } else { [0.0; 2] }
     }
 
     /// Share of an element inside the seal \[–\].

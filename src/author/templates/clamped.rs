@@ -76,7 +76,7 @@ pub(super) fn hydroform(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseEr
     let along = [(middle + r * Point::y(), Some((middle, true))), (Point::new(0.0, depth), None)];
     let steps: Vec<_> = onto.into_iter().chain(wall).chain(along).collect();
     let mut sizes = sheet.values(false);
-    sizes.elements(edge, r.min(shoulder.value), 1);
+    sizes.elements(edge, r.min(shoulder.value), 1.0);
     sizes.set("die", profile_text(Point::new(2.0 * edge, 0.0), &steps, exact), &corner.reason("corner: "));
     sizes.set("diameter", wide, "");
     sizes.set("deep", deep, "");
@@ -117,7 +117,7 @@ pub(super) fn emboss(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError
         profile_text(Point::zeros(), &stepped(boss - length, [length, depth], bends, far)?.0, exact)
     };
     let mut sizes = sheet.values(false);
-    sizes.elements(far, radius.value, 1);
+    sizes.elements(far, radius.value, 1.0);
     sizes.set("profile", punch, &radius.reason("bends: "));
     sizes.set("diameter", wide, "");
     sizes.set("deep", deep, "");
@@ -135,7 +135,7 @@ pub(super) fn erichsen(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseErr
     ensure(sheet.thickness <= THICKEST, what, help)?;
     let mut sizes = sheet.values(false);
     // A third of equal elements, and those around the die's edge, on its arc and one to each side.
-    sizes.elements(SPECIMEN / 3.0 + PI * EDGE, EDGE, 1);
+    sizes.elements(SPECIMEN / 3.0 + PI * EDGE, EDGE, 1.0);
     sizes.set("size", &thickness, "");
     sizes.set("clamp", newtons(inputs.value("clamp")), "");
     Ok(sizes)

@@ -286,7 +286,7 @@ impl<'a> Cup<'a> {
         }
         if tools.len() > 1 || !walls.is_empty() {
             // With usual elements the force oscillates as nodes leave the shoulder.
-            sizes.elements(plan.blank.value, first.shoulder.value.min(self.part.nose), tools.len().min(2));
+            sizes.elements(plan.blank.value, first.shoulder.value.min(self.part.nose), tools.len().min(2) as f64);
             sizes.set("stages", self.later(&tools, pressure, &walls), "");
         }
         Ok(sizes)

@@ -49,7 +49,7 @@ pub(super) fn hole_expansion(inputs: &Inputs, sheet: &Sheet) -> Result<Values, C
     });
     let mut sizes = sheet.values(false);
     sizes.die(&Picked::by(2.0 * end, "twice what is formed, declared"), &Picked::input(throat), &shoulder, hole);
-    sizes.elements(2.0 * end, f64::min(shoulder.value, hole), 2);
+    sizes.elements(2.0 * end, f64::min(shoulder.value, hole), 1.4);
     edge(&mut sizes, inputs, &Picked::input(hole))?;
     sizes.set("punch", profile_text(Point::zeros(), &[(rim, None)], exact), "");
     sizes.set("clamp", newtons(inputs.value("clamp")), "");

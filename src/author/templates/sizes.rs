@@ -6,14 +6,14 @@ use crate::model::Extent;
 
 impl Values {
     /// Sets the number of elements for a blank and its smallest radius \[mm\], `times` as fine as usual.
-    pub fn elements(&mut self, blank: f64, corner: f64, times: usize) {
-        let why = format!("{} per 90° of the smallest radius, were they equal; finer there", 10 * times);
-        self.set("elements", times * rules::elements(blank, corner), &why);
+    pub fn elements(&mut self, blank: f64, corner: f64, times: f64) {
+        let why = format!("{:.0} per 90° of the smallest radius, were they equal; finer there", 10.0 * times);
+        self.set("elements", (times * rules::elements(blank, corner) as f64).round(), &why);
     }
 
     /// Sets blank and die, and elements for the smaller of the shoulder and the punch's corner \[mm\].
     pub fn die(&mut self, blank: &Picked, throat: &Picked, shoulder: &Picked, corner: f64) {
-        self.elements(blank.value, shoulder.value.min(corner), 1);
+        self.elements(blank.value, shoulder.value.min(corner), 1.0);
         self.lengths([("blank", blank), ("throat", throat), ("shoulder", shoulder)]);
     }
 

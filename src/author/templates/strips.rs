@@ -129,7 +129,7 @@ pub(super) fn joggle(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError
     let values = |[blank, step]: [f64; 2]| {
         let blank = Picked::nearest(blank, BLANK, CORRECTED);
         let mut sizes = sheet.values(true);
-        sizes.elements(blank.value, radius.value, 1);
+        sizes.elements(blank.value, radius.value, 1.0);
         sizes.set("profile", profile_text(Point::zeros(), &tool(step)?.0, exact), &radius.reason("radius: "));
         sizes.set("depth", plain(depth), "");
         sizes.set("length", plain(length), "");
@@ -176,7 +176,7 @@ pub(super) fn hat_section(inputs: &Inputs, sheet: &Sheet) -> Result<Values, Case
         let bend = nose.value.min(shoulder.value);
         let what = || format!("a restrike to {} sharpens no bend of {}", plain(radius), plain(bend));
         ensure(radius < bend, what, "make --restrike smaller, or --nose and --shoulder larger")?;
-        sizes.elements(blank.value, radius, 1);
+        sizes.elements(blank.value, radius, 1.0);
         sizes.set("pad_too", inputs.number("pad-pressure").map_or("", |_| ", \"pad\""), "");
         restrike(&mut sizes, radius, [half_width, throat.value, height, blank.value], t)?;
     }

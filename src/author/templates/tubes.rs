@@ -18,7 +18,7 @@ fn tube(inputs: &Inputs, sheet: &Sheet, share: f64, corner: f64, title: &str) ->
     let mut sizes = sheet.values(false);
     sizes.set("title", format!("\"Tube Ø {across}, {title}\""), "");
     sizes.lengths([("diameter", &Picked::input(2.0 * outside)), ("length", &Picked::input(share * length))]);
-    sizes.elements(share * length, corner, 1);
+    sizes.elements(share * length, corner, 1.0);
     Ok((outside, sizes))
 }
 

@@ -17,16 +17,21 @@ pub fn add(step: &Step, trial: &Trial, out: &mut Evaluation) -> f64 {
         for e in 0..out.thickness.len() {
             let inside = seal.inside(e);
             if inside > 0.0 {
-                let (side, shared) = (gas.face.sign() * inside, step.context.gas_shared[k]);
-                press_element(step.model.geometry, e, side, trial.gas[k], shared, out);
+                let (sign, column) = (gas.face.sign(), step.context.gas_shared[k]);
+                let side = (sign * inside, seal.slopes(e).map(|slope| sign * slope));
+                press_element(step.model.geometry, e, side, trial.gas[k], column, out);
             }
         }
     }
     out.gas_force.iter().map(|f| f.norm()).fold(0.0, f64::max)
 }
 
-/// Adds the pressure `gas` \[MPa\] on element `e`; `side` is ±1 times the share inside the seal, `column` the index of an unknown.
-fn press_element(geometry: Geometry, e: usize, side: f64, gas: f64, column: Option<usize>, out: &mut Evaluation) {
+/// Adds the pressure `gas` \[MPa\] on element `e`; `side` is ±1 times the share inside the seal, with its derivatives by r
+/// of both nodes, `column` the index of an unknown.
+fn press_element(
+    geometry: Geometry, e: usize, (side, by_ends): (f64, [f64; 2]), gas: f64, column: Option<usize>,
+    out: &mut Evaluation,
+) {
     let pressure = side * gas;
     let [a, b] = [out.nodes[e], out.nodes[e + 1]];
     let m = Point::new(a[1] - b[1], b[0] - a[0]); // n l
@@ -50,8 +55,9 @@ fn press_element(geometry: Geometry, e: usize, side: f64, gas: f64, column: Opti
         for j in 0..2 {
             // ∂m/∂x of node j: first node (0, 1; −1, 0), second its negative.
             let turn = pressure * if j == 0 { share[i] } else { -share[i] };
-            matrix[(3 * i, 3 * j)] = -(pressure * m.x * by_r[i][j]);
-            matrix[(3 * i + 1, 3 * j)] = -(pressure * m.y * by_r[i][j] - turn);
+            let growth = pressure * by_r[i][j] + gas * by_ends[j] * share[i];
+            matrix[(3 * i, 3 * j)] = -(growth * m.x);
+            matrix[(3 * i + 1, 3 * j)] = -(growth * m.y - turn);
             matrix[(3 * i, 3 * j + 1)] = -turn;
         }
     }
