@@ -54,6 +54,9 @@ pub(super) const TEARING: [f64; 2] = [0.9, 1.0];
 
 pub(super) fn remedy(model: &Model) -> &'static str {
     match (estimate::draw_ratio(model), model.tool(Role::Holder)) {
+        _ if !model.beads.is_empty() => {
+            "lower beads or larger radii of theirs; then larger radii of punch and die, less friction"
+        }
         (Some(_), Some(_)) => "one draw more, larger radii, or less friction of die and holder",
         (Some(_), None) => "one draw more, larger radii, or less friction of the die",
         (None, Some(_)) => "less holder force, larger radii, or less friction of die and holder",

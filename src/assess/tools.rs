@@ -162,7 +162,7 @@ pub(super) fn ironing(run: &Run) -> Option<Finding> {
         ),
     };
     let (careful, advice) = if run.stages.iter().any(|stage| estimate::has_land(&stage.model)) {
-        (RING, "one ring more (`stampflow new cup --rings`), or a thicker wall")
+        (RING, "one ring more (`stampflow new … --rings`), or a thicker wall")
     } else if estimate::draw_ratio(run.case.model()).is_some() {
         (LIGHTLY, "a wider gap between punch and die there (`stampflow new cup --clearance`), or one draw more")
     } else {

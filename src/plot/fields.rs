@@ -48,7 +48,7 @@ pub mod element {
         /// Place on a sheet that is not flat.
         S0_ALONG = s0, ["Initial length along the sheet"; 2], Mm;
         R = r, ["Distance from the axis", "Distance from the symmetry plane"], Mm;
-        Z = z, ["z, along the axis", "z, along the symmetry plane"], Mm;
+        Z = z, ["z, along the axis", "z, along the plane"], Mm;
         THICKNESS = thickness, ["Thickness"; 2], Mm;
         STRAIN_MERIDIONAL = strain_meridional, ["Meridional strain", "In-plane strain"], None;
         STRAIN_HOOP = strain_hoop, ["Hoop strain", "Out-of-plane strain"], None;
