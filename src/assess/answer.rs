@@ -244,9 +244,8 @@ fn holder(stage: &StageSolution) -> Option<Quantity> {
         return Some(Quantity::new("holder_gap", "Holder gap", Amount::size(gap)).at(about));
     }
     let force = Amount::force(super::largest(stage, |step| step.holder_force), model.extent().force_unit());
-    let beads: f64 = model.beads.iter().map(|bead| bead.closing * bead.line(model.geometry)).sum();
-    let closing = Amount::force(model.extent().times() * beads, force.unit).to(Digits::Significant(3));
-    let beside = if beads > 0.0 { format!("; {closing} more keep the beads closed") } else { String::new() };
+    let closing = Amount::force(estimate::closing_of_beads(model), force.unit).to(Digits::Significant(3));
+    let beside = if closing.value > 0.0 { format!("; {closing} more keep the beads closed") } else { String::new() };
     let force = Quantity::new("holder_force", "Holder", force.to(Digits::Significant(3)));
     Some(force.at(format!("at its largest{beside}")))
 }

@@ -83,8 +83,7 @@ pub(super) fn wrinkling(run: &Run) -> Option<Finding> {
     let itself = "an axisymmetric run itself cannot wrinkle";
     Some(match model.tool(Role::Holder).map(|holder| &holder.motion) {
         Some(Motion::Pressed(press)) if !press.is_idle() => {
-            let beads: f64 = model.beads.iter().map(|bead| bead.closing * bead.line(model.geometry)).sum();
-            let pressure = (press.force.smallest() - beads).max(0.0) / held_area(model)?;
+            let pressure = (press.force.smallest() - estimate::closing_of_beads(model)).max(0.0) / held_area(model)?;
             let advised = siebel_pressure(model)?;
             let [wanted, least] = [advised, pressure].map(Amount::stress);
             judged("Wrinkle index", format!("{{}}; Siebel's least, {wanted}, over the holder's {least}; {itself}"))

@@ -75,3 +75,9 @@ pub(crate) fn coarsest_corner(model: &Model) -> Option<CornerFit> {
     });
     fits.min_by(|a, b| a.per_quarter.total_cmp(&b.per_quarter))
 }
+
+/// Force that keeps all beads closed \[N, or N/mm\].
+pub(super) fn closing_of_beads(model: &Model) -> f64 {
+    let force: f64 = model.beads.iter().map(|bead| bead.closing * bead.line(model.geometry)).sum();
+    model.extent().times() * force
+}

@@ -62,7 +62,7 @@ impl BeadPosition {
 }
 
 /// Position of a seal, searched from the edge inward because a dome may bulge out over its seal.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Seal {
     /// Element that the seal cuts; those before it are inside.
     element: usize,
@@ -76,12 +76,12 @@ impl Seal {
     pub fn find(nodes: &[Node], within: f64, geometry: Geometry) -> Self {
         let begins_inside = |ends: &[Node]| ends[1][0] <= within || ends[0][0] < within;
         let Some(element) = nodes.windows(2).rposition(begins_inside) else {
-            return Self { element: 0, share: 0.0, slopes: [0.0; 2] };
+            return Self::default();
         };
         let [from, to] = [element, element + 1].map(|i| nodes[i][0]);
         let [inside, whole] = [within, to].map(|r| geometry.area(r) - geometry.area(from));
         if to <= within {
-            return Self { element: element + 1, share: 0.0, slopes: [0.0; 2] };
+            return Self { element: element + 1, ..Self::default() };
         }
         let share = inside / whole;
         let slopes = [(share - 1.0) * geometry.line(from) / whole, -share * geometry.line(to) / whole];
