@@ -120,7 +120,7 @@ pub(super) fn hardening(run: &Run) -> Option<Finding> {
             .advice("write the range of the fit as `fitted_up_to` in [material]"),
         Some(end) if strain.value > end => judged
             .light(Light::Grey)
-            .limit("no other line changes its light")
+            .limit("no other light changes")
             .advice("without `--no-advice` it is solved with half the hardening"),
         Some(end) => judged.limit(format!("{} at most", Amount::number(end))),
     })

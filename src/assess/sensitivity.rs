@@ -10,7 +10,7 @@ const WEAKER: f64 = 0.5;
 pub(super) fn row(run: &Run) -> Option<Finding> {
     let most = largest_coefficient(run.case.model())?;
     let judged = Finding::judged("friction", "Friction", "{}; less and more were not solved").light(Light::Grey);
-    let judged = judged.number(Amount::number(most)).limit("no other line changes its light");
+    let judged = judged.number(Amount::number(most)).limit("no other light changes");
     let judged = judged.source("declared: lubrication varies by so much");
     Some(judged.advice("without `--no-advice` it is solved with less and more friction"))
 }
