@@ -8,8 +8,7 @@ use crate::model::{ThicknessRule, Tool, tool_sizes::shoulder_end};
 use crate::solver::solution::{StageSolution, Stop};
 use crate::table::{Field, Table};
 use crate::units::{Amount, Unit, rounded, significant};
-use std::f64::consts::FRAC_PI_2;
-use std::sync::{Mutex, PoisonError};
+use std::{f64::consts::FRAC_PI_2, sync::Mutex, sync::PoisonError};
 
 /// Elements on a quarter of the smaller radius, their greatest length over the thickness \[–\], and most elements.
 const PER_QUARTER: f64 = 12.0;

@@ -1,7 +1,6 @@
 //! Panics, which are mistakes of this program: named with what to send, and stopping nothing else.
 
-use std::cell::RefCell;
-use std::panic::{self, AssertUnwindSafe};
+use std::{cell::RefCell, panic, panic::AssertUnwindSafe};
 
 /// Longest quotation of a panic \[characters\].
 const LONGEST: usize = 300;

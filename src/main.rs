@@ -3,8 +3,7 @@
 mod bug;
 mod cli;
 
-use std::io::{IsTerminal, stdin};
-use std::{ffi::OsString, path::Path, process::ExitCode};
+use std::{ffi::OsString, io::IsTerminal, io::stdin, path::Path, process::ExitCode};
 
 fn main() -> ExitCode {
     let words: Vec<OsString> = std::env::args_os().collect();

@@ -7,8 +7,8 @@
 //! selection" (amada.de).
 
 use crate::material::{Material, flow::ROOM_TEMPERATURE};
-use std::f64::consts::{FRAC_PI_2, PI};
-use std::ops::RangeInclusive;
+use crate::units::rounded_up;
+use std::{f64::consts::FRAC_PI_2, f64::consts::PI, ops::RangeInclusive};
 
 /// Radius over thickness below which shells are no longer thin \[–\]: a declared rule of thumb.
 pub const THIN: f64 = 5.0;
@@ -259,6 +259,11 @@ pub fn bulge_pressure(opening: f64, height: f64, thickness: f64, stress: impl Fn
     let strain = 2.0 * cap.ln();
     let radius = 0.5 * opening * opening * cap / height;
     2.0 * stress(strain) * thickness * (-strain).exp() / radius
+}
+
+/// Pressure of oil that fills a corner, σ t/r with the flow stress at a strain \[MPa\]: to two digits, upwards.
+pub fn filling_pressure(metal: &Material, strain: f64, thickness: f64, radius: f64) -> f64 {
+    rounded_up(metal.hardening.at(strain).stress * thickness / radius, 2)
 }
 
 /// Holder force of a blank by the rules of [`holder_pressure`] without the usual one, which may be twice as much.

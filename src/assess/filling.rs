@@ -1,7 +1,6 @@
 //! Filling of a hollow die by pressure: the gap that is left between sheet and die, and the radius in its corner.
 
-use super::tear::place;
-use super::*;
+use super::{tear::place, *};
 use crate::geometry::{Point, on_axis};
 
 /// Gap over the thickness up to which the sheet lies against the die, and above which it misses the die's form: declared \[–\].

@@ -1,7 +1,6 @@
 //! Sheet that folds onto itself: it meets tools only, so that a run goes on through it.
 
-use super::tear::place;
-use super::*;
+use super::{tear::place, *};
 use crate::geometry::{Piece, Point};
 use crate::measure::along;
 use crate::solver::solution::Frame;

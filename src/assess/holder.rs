@@ -1,7 +1,6 @@
 //! Holder: force, lift, distance blocks, closing over slopes of holder and die.
 
-use super::estimate::{flange_strength, held_from, holder_pressure};
-use super::*;
+use super::{estimate::flange_strength, estimate::held_from, estimate::holder_pressure, *};
 use crate::measure::rests_on_blocks;
 use crate::solver::closing_way;
 

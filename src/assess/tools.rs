@@ -1,7 +1,6 @@
 //! Friction, clearance between punch and die, and ironing.
 
-use super::tear::{nose, place};
-use super::*;
+use super::{tear::nose, tear::place, *};
 use crate::geometry::Point;
 use crate::measure::thickest;
 use crate::model::{Friction, tool_sizes::apart, tool_sizes::mouth, tool_sizes::throat};

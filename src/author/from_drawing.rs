@@ -73,7 +73,8 @@ impl Import {
         if doubts.is_empty() {
             doubts = size_doubts(&case);
         }
-        if tools[0].geometry == Geometry::Axisymmetric && tools[0].holder.is_none() {
+        let DrawnTools { geometry, tube, punch, holder, .. } = &tools[0];
+        if *geometry == Geometry::Axisymmetric && tube.is_none() && punch.is_some() && holder.is_none() {
             doubts.push("nothing holds the flange: draw a holder, or name its layer with --layer NAME=holder".into());
         }
         let travels = joined(tools.iter().filter_map(|tools| Some(trimmed(tools.drawn?, 2))), ", ");
@@ -82,7 +83,7 @@ impl Import {
         // Tools are drawn where they end, and begin elsewhere.
         let derived = case.derived.iter().map(ToString::to_string).filter(|note| !note.contains("is moved by"));
         let notes = doubts.iter().chain(&sections.notes).cloned().chain(travels).chain(derived).collect();
-        Ok(Imported { sections, text, case, size: tools[0].size(), doubts, notes, geometry: tools[0].geometry })
+        Ok(Imported { sections, text, case, size: tools[0].size(), doubts, notes, geometry: *geometry })
     }
 
     fn text(&self, drawing: &Path, sections: &Sections, tools: &[DrawnTools], metal: &Material) -> String {
@@ -116,6 +117,7 @@ impl Import {
             };
             let is_open = tools.travel.why.starts_with("placeholder");
             list(&format!("travel{of}"), &format!("--set {travel}"), &travel, is_open);
+            list("pressure", "--set gas.lower.pressure.1.1", "gas.lower.pressure", tools.punch.is_none());
             let holds = operation.tool(Role::Holder).is_some();
             list(&format!("holder force{of}"), &format!("--set {holder}force"), &holder, holds);
         }
@@ -123,7 +125,20 @@ impl Import {
         let name = if tools.len() > 1 || sections.is_released { "\"first\"" } else { "" };
         let number = sections.operations[0].number.map(|number| format!("\"op{number}\""));
         values.set_text("stage", number.as_deref().unwrap_or(name));
-        let lengths = [(key, blank), ("thickness", thickness), ("travel", &first.travel)];
+        if let Some([low, high]) = first.tube {
+            values.set("diameter", exact(2.0 * blank.value), "");
+            values.set("length", exact(high - low), "");
+            values.set("inner_edge", "\"guided\"", "the end that stays");
+            values.set("is_tube", "", "");
+        } else {
+            values.set(key, exact(blank.value), &blank.why);
+        }
+        if let Some(oil) = first.oil(metal) {
+            values.set("oil", format!("\"{} MPa\"", oil.value), &oil.why);
+            let is_clamped = first.tube.is_none() && first.holder.is_none();
+            is_clamped.then(|| values.set("edge", "\"clamped\"", "declared: no holder is drawn"));
+        }
+        let lengths = [("thickness", thickness), ("travel", &first.travel)];
         lengths.into_iter().for_each(|(key, length)| values.set(key, exact(length.value), &length.why));
         let finished = ["height", "diameter", "flange_diameter"].into_iter().zip(sections.finished);
         let finished = finished.filter_map(|(key, size)| Some(format!("{key} = {}", exact(size?))));
@@ -222,7 +237,7 @@ fn later_stages(later: &[Operation], tools: &[DrawnTools], pressure: f64, fricti
 
 fn force(before: &DrawnTools, now: &DrawnTools, pressure: f64) -> (String, String) {
     let holder = now.holder.as_ref().map_or((0.0, 0.0), extent);
-    let inner = throat(&now.die).unwrap_or(0.0).max(holder.0);
+    let inner = now.die.as_ref().and_then(throat).unwrap_or(0.0).max(holder.0);
     let outer = holder.1.min(before.mouth()).max(inner);
     let whole = Extent::of(now.geometry, None);
     let (area, unit) = match now.geometry {

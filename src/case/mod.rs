@@ -21,9 +21,7 @@ use crate::solver::{Observer, solution::StageSolution, solve};
 use file::CaseFile;
 use files::{Disk, Files, Folder, too_large};
 use source::Source;
-use std::path::{Path, PathBuf};
-use std::time::Duration;
-use std::{collections::BTreeMap, io};
+use std::{collections::BTreeMap, io, path::Path, path::PathBuf, time::Duration};
 
 type Result<T, E = CaseError> = std::result::Result<T, E>;
 

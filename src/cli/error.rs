@@ -1,8 +1,7 @@
 //! Exit codes, the errors that end the program, and its signals.
 
 use super::*;
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, LazyLock};
+use std::{sync::Arc, sync::LazyLock, sync::atomic::AtomicBool, sync::atomic::Ordering};
 
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Code {

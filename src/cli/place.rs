@@ -1,8 +1,7 @@
 //! Places that a verb may write to: never over what it reads.
 
 use super::*;
-use std::fs::{self, File};
-use std::io::Read;
+use std::{fs, fs::File, io::Read};
 
 pub fn folder(others: &Path, case: &Case) -> Result<PathBuf> {
     let (path, name) = (case.path.display(), &case.name);

@@ -4,8 +4,7 @@ use super::*;
 use comfy_table::{Attribute, Color, ColumnConstraint, ContentArrangement, Table, presets};
 use serde::Serialize;
 pub use stampflow::study::Cell;
-use std::io::{self, Write};
-use std::ops::Add;
+use std::{io, io::Write, ops::Add};
 
 /// Columns without a terminal, and of a wide one: longer lines are hard to read.
 const WIDTH: usize = 80;

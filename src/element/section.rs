@@ -2,8 +2,7 @@
 
 use super::Vector6;
 use super::kinematics::{Current, EPS_S, EPS_T, GAMMA, Generalised, KAPPA_S, KAPPA_T, Matrix6, Reference};
-use crate::material::PointLaw;
-use crate::material::flow::{StressUpdate, Tangent, Triple};
+use crate::material::{PointLaw, flow::StressUpdate, flow::Tangent, flow::Triple};
 use crate::numerics::quadrature::ThicknessPoint;
 use nalgebra::SMatrix;
 

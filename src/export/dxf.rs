@@ -8,8 +8,7 @@
 use crate::geometry::{Arc, Piece, Point};
 use crate::import::DrawingUnit;
 use crate::plot::drawing::{Layer, coordinate, extent};
-use std::f64::consts::TAU;
-use std::fmt::{Display, Write};
+use std::{f64::consts::TAU, fmt::Display, fmt::Write};
 
 const FIRST: u32 = 0x100;
 const OWNERS: [&str; 2] = ["1", "17"];

@@ -97,17 +97,16 @@ impl Drawing {
     }
 
     fn blank(&mut self, stage: &Stage) {
-        let ([hole, length], half) = (stage.model.blank.ends(), 0.5 * stage.model.blank.thickness);
+        let ([_, length], half) = (stage.model.blank.ends(), 0.5 * stage.model.blank.thickness);
+        let outline = flat(&stage.model);
+        let closed = outline.iter().chain(outline.first()).copied();
+        let blank = Layer::polyline("BLANK".to_owned(), (30, "#ff7f00"), closed);
         if stage.model.blank.meridian.is_some() {
-            let outline = flat(&stage.model);
-            let closed = outline.iter().chain(outline.first()).copied();
-            return self.layers.push(Layer::polyline("BLANK".to_owned(), (30, "#ff7f00"), closed));
+            return self.layers.push(blank);
         }
         let sign = if stage.model.geometry == Geometry::Axisymmetric { "blank Ø " } else { STRIP };
         let sizes = [Some(2.0 * length), Some(2.0 * half), stage.model.depth].into_iter().flatten();
         let text = format!("{sign}{}", joined(sizes.map(|mm| self.label(mm)), " x "));
-        let corners = [(hole, -half), (length, -half), (length, half), (hole, half), (hole, -half)];
-        let blank = Layer::polyline("BLANK".to_owned(), (30, "#ff7f00"), corners);
         self.layers.push(Layer { label: Some((Point::new(length, half), text)), ..blank });
     }
 

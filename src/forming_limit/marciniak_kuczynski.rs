@@ -11,8 +11,7 @@
 //! Z. Marciniak, K. Kuczyński, Int. J. Mech. Sci. 9 (1967) 609–620; Z. Marciniak, K. Kuczyński, T. Pokora, Int. J. Mech. Sci.
 //! 15 (1973) 789–805; J. W. Hutchinson, K. W. Neale, Sheet necking (1978) 127–153 (not read; derived beside this).
 
-use super::instability::{Proportional, ratios, uniform_strain};
-use super::*;
+use super::{instability::Proportional, instability::ratios, instability::uniform_strain, *};
 use crate::material::law::prelude::*;
 use groove::Groove;
 use std::ops::RangeInclusive;

@@ -1,5 +1,4 @@
-use std::path::{Path, PathBuf};
-use std::{env, fs, io, sync::OnceLock};
+use std::{env, fs, io, path::Path, path::PathBuf, sync::OnceLock};
 
 macro_rules! texts {
     ($($name:literal)*) => {

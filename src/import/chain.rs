@@ -3,8 +3,7 @@
 use super::{ImportError, Result, dxf::Source, ensure, frame::Frame, layers::ToolId};
 use crate::geometry::{Bounds, Piece, Point, turn};
 use crate::units::significant;
-use std::f64::consts::{FRAC_PI_2, PI};
-use std::rc::Rc;
+use std::{f64::consts::FRAC_PI_2, f64::consts::PI, rc::Rc};
 
 /// Largest angle between overlapping lines \[rad\].
 const ALONG: f64 = 0.01;

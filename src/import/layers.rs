@@ -2,8 +2,7 @@
 
 use super::{ImportError, Result, blocks::Placed, dxf::cut, ensure, frame::Frame, options::Options};
 use crate::model::{Role, operation_in};
-use std::collections::{BTreeMap, BTreeSet};
-use std::fmt;
+use std::{collections::BTreeMap, collections::BTreeSet, fmt};
 
 const EXPORTED: [&str; 5] = ["blank", "sheet", "midline", "trim", "axis"];
 

@@ -29,7 +29,7 @@ mod stroke;
 pub use dxf::LARGEST;
 pub use options::{DrawingUnit, Heading, Options, layer};
 
-use crate::geometry::{Point, Profile};
+use crate::geometry::{Bounds, Point, Profile};
 use crate::model::{Geometry, Role};
 use crate::units::parse;
 use layers::ToolId;
@@ -136,6 +136,8 @@ pub struct Sections {
     pub operations: Vec<Operation>,
     /// Hole, edge and thickness of the blank \[mm\], where its layer is drawn.
     pub blank: Option<[f64; 3]>,
+    /// Least and largest z of the blank \[mm\], where it is a tube: the end with the largest stays.
+    pub tube: Option<[f64; 2]>,
     /// Height, diameter and flange diameter of the trimmed part \[mm\], where they are labelled.
     pub finished: [Option<f64>; 3],
     /// Plane strain if the blank is labelled as that of a strip.
@@ -159,9 +161,11 @@ pub fn read(bytes: &[u8], options: &Options) -> Result<Sections> {
     let (drawing, finished) = (dxf::drawing(&text)?, finished(&text));
     let frame = frame::Frame::new(&drawing, options)?;
     let entities = blocks::exploded(&drawing)?;
-    let blank = stroke::blank(&entities, options, &frame);
+    let (blank, tube) = stroke::blank(&entities, options, &frame).unzip();
+    let tube = tube.flatten();
     if let Some([_, edge, thickness]) = blank {
-        frame.note(format!("the blank of layer BLANK is {thickness} mm thick, its edge at x = {edge} mm"));
+        let (what, side) = if tube.is_some() { ("a tube, its wall ", "outside") } else { ("", "edge") };
+        frame.note(format!("the blank of layer BLANK is {what}{thickness} mm thick, its {side} at x = {edge} mm"));
     }
     let (layers, all, others) = layers::layers(&entities, options, &frame)?;
     let tools: BTreeSet<ToolId> = layers.values().copied().collect();
@@ -172,22 +176,27 @@ pub fn read(bytes: &[u8], options: &Options) -> Result<Sections> {
                 holder are found by themselves, in German and French too";
     let what = format!("no line, arc, polyline or spline is on a tool's layer: there are {all}");
     ensure(!strokes.is_empty(), || ImportError::new(what, help))?;
-    options.axis.map_or_else(|| axis::check(&strokes, &frame), |_| Ok(()))?;
+    // Tools of a tube may be rings.
+    options.axis.or(tube.map(|_| 0.0)).map_or_else(|| axis::check(&strokes, &frame), |_| Ok(()))?;
     let pieces = strokes.iter().flat_map(|(_, strokes)| strokes).flat_map(|stroke| stroke.pieces());
     frame.check_unit(options, 2.0 * pieces.map(|piece| piece.last().x.abs()).fold(0.0, f64::max))?;
     let right = |(tool, strokes)| Ok((tool, halves::right(strokes, tool, &frame)?));
     let chains = strokes.into_iter().map(right).collect::<Result<Vec<_>>>()?;
-    let heading = orient::heading(&chains, options.punch_moves, &frame)?;
     let exported = entities.iter().filter_map(|placed| layers::exported(&placed.source.layer));
     let first = exported.filter(|(_, name)| FORMED.contains(name)).map(|(number, _)| number).min().flatten();
+    let formed = |number: Option<u32>| stroke::bounds(&FORMED, number.or(first), &entities, options, &frame);
+    let asked = options.punch_moves.map(|heading| (heading, "as asked for".to_owned()));
+    let known = asked.or_else(|| Some(orient::tube(&chains, tube?, formed(first))));
+    let heading = orient::heading(&chains, known, &frame)?;
+    let to_z =
+        |Bounds { low, high }: Bounds| if heading == Heading::Down { [-high.y, -low.y] } else { [low.y, high.y] };
     let mut operations: Vec<Operation> = Vec::new();
     for (tool, chain) in chains {
-        let section = orient::section(tool, chain, heading, &frame)?;
+        let section = orient::section(tool, chain, heading, tube.is_some(), &frame)?;
         match operations.last_mut().filter(|operation| operation.number == tool.operation) {
             Some(operation) => operation.tools.push(section),
             None => {
-                let sheet = stroke::bounds(&FORMED, tool.operation.or(first), &entities, options, &frame);
-                let sheet_end = sheet.map(|sheet| if heading == Heading::Down { -sheet.high.y } else { sheet.low.y });
+                let sheet_end = formed(tool.operation).map(|sheet| to_z(sheet)[0]);
                 operations.push(Operation { number: tool.operation, tools: vec![section], sheet_end });
             }
         }
@@ -199,8 +208,8 @@ pub fn read(bytes: &[u8], options: &Options) -> Result<Sections> {
     if is_released {
         frame.note("the formed sheet has sprung back: a last stage takes the tools away, the sheet is elastic".into());
     }
-    let notes = frame.notes.into_inner();
-    Ok(Sections { operations, blank, finished, geometry, depth, is_released, layers: all, others, notes })
+    let (notes, tube) = (frame.notes.into_inner(), tube.map(to_z));
+    Ok(Sections { operations, blank, tube, finished, geometry, depth, is_released, layers: all, others, notes })
 }
 
 /// Reads the one line of a layer, or of the whole drawing, as a profile with z upward: of a tool, or of a sheet as that of a tool
@@ -226,5 +235,5 @@ fn only_line(bytes: &[u8], layer: Option<&str>, role: Role) -> Result<Profile> {
     let place = layer.map_or_else(|| "there".to_owned(), |layer| format!("on layer {layer}"));
     let all = layers::list(names.iter().map(|name| (*name).to_owned()));
     ensure(!strokes.is_empty(), || ImportError::new(format!("no line is drawn {place}; its layers are {all}"), ""))?;
-    Ok(orient::section(tool, halves::right(strokes, tool, &frame)?, Heading::Up, &frame)?.profile)
+    Ok(orient::section(tool, halves::right(strokes, tool, &frame)?, Heading::Up, false, &frame)?.profile)
 }

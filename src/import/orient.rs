@@ -16,7 +16,7 @@
 use super::dxf::{Source, cut};
 use super::layers::{ToolId, count_entities, list};
 use super::{ImportError, Result, Section, chain::Chain, ensure, frame::Frame, options::Heading};
-use crate::geometry::{Fold, Piece, Point, Profile};
+use crate::geometry::{Bounds, Fold, Piece, Point, Profile};
 use crate::model::Role;
 use std::{collections::BTreeSet, rc::Rc};
 
@@ -25,10 +25,10 @@ const WALL: f64 = 1e-3;
 /// Least distance of the middles of tools above each other, over the height of the lower one \[–\].
 const APART: f64 = 0.1;
 
-/// Direction of the punch: the option's, or that of the walls, or that of the tools' places.
+/// Direction of the punch: the known one, or that of the walls, or that of the tools' places.
 ///
 /// A punch's body lies behind its face, so that its outer end is behind its inner one; a die's cavity is ahead of its face.
-pub(super) fn heading(chains: &[(ToolId, Chain)], option: Option<Heading>, frame: &Frame) -> Result<Heading> {
+pub(super) fn heading(chains: &[(ToolId, Chain)], known: Option<(Heading, String)>, frame: &Frame) -> Result<Heading> {
     let open = chains.iter().filter(|(tool, chain)| matches!(tool.role, Role::Punch | Role::Die) && !is_outline(chain));
     let mut walls = open.filter_map(|(tool, chain)| {
         let (a, b) = (chain.first(), chain.last());
@@ -37,8 +37,8 @@ pub(super) fn heading(chains: &[(ToolId, Chain)], option: Option<Heading>, frame
     });
     let first = walls.next();
     let other = walls.find(|(_, heading)| first.is_some_and(|(_, first)| first != *heading));
-    let (heading, why) = match (option, first, other) {
-        (Some(option), ..) => (option, "as asked for".to_owned()),
+    let (heading, why) = match (known, first, other) {
+        (Some(known), ..) => known,
         (None, Some((first, a)), Some((second, b))) => {
             let [a, b] = [a.name(), b.name()];
             let what = format!("walls disagree which way the punch moves: the {first}'s say {a}, the {second}'s {b}");
@@ -57,13 +57,29 @@ pub(super) fn heading(chains: &[(ToolId, Chain)], option: Option<Heading>, frame
             }
         },
     };
-    frame.note(format!("the punch moves {} in the drawing ({why})", heading.name()));
+    let what = if chains.iter().any(|(tool, _)| tool.role == Role::Punch) { "the punch moves" } else { "z goes" };
+    frame.note(format!("{what} {} in the drawing ({why})", heading.name()));
     Ok(heading)
 }
 
-pub(super) fn section(tool: ToolId, chain: Chain, heading: Heading, frame: &Frame) -> Result<Section> {
+/// Direction into a tube, towards the end that stays: where the formed sheet still is, or away from the punch; without both where
+/// the die is wider.
+pub(super) fn tube(chains: &[(ToolId, Chain)], tube: Bounds, sheet: Option<Bounds>) -> (Heading, String) {
+    let of = |role: Role| chains.iter().find(|(tool, _)| tool.role == role).map(|(_, chain)| chain);
+    let (above, why) = if let Some(sheet) = sheet {
+        ((sheet.low.y - tube.low.y).abs() - (sheet.high.y - tube.high.y).abs(), "the formed tube's end stays there")
+    } else if let Some(punch) = of(Role::Punch).map(Chain::bounds) {
+        (tube.low.y + tube.high.y - punch.low.y - punch.high.y, "from the punch into the tube")
+    } else {
+        let ends = of(Role::Die).map_or([Point::zeros(); 2], |die| [die.first(), die.last()]);
+        ((ends[1] - ends[0]).product(), "towards the wider end of the die")
+    };
+    (if above < 0.0 { Heading::Down } else { Heading::Up }, why.to_owned())
+}
+
+pub(super) fn section(tool: ToolId, chain: Chain, heading: Heading, tube: bool, frame: &Frame) -> Result<Section> {
     let chain = if is_outline(&chain) { sheet_side(tool, chain, heading, frame)? } else { chain };
-    let outward = outward(tool, chain, heading, frame)?;
+    let outward = outward(tool, chain, heading, tube, frame)?;
     // Below the sheet one walks outward, above it inward.
     let chain = if tool.role.side() > 0.0 { outward.reversed() } else { outward };
     let turned = |p: Point| if heading == Heading::Down { Point::new(p.x, -p.y) } else { p };
@@ -97,19 +113,21 @@ pub(super) fn section(tool: ToolId, chain: Chain, heading: Heading, frame: &Fram
     Ok(Section { role: tool.role, profile, ends: firsts.chain([chain.last()]).map(turned).collect(), made_of })
 }
 
-fn outward(tool: ToolId, chain: Chain, heading: Heading, frame: &Frame) -> Result<Chain> {
+fn outward(tool: ToolId, chain: Chain, heading: Heading, tube: bool, frame: &Frame) -> Result<Chain> {
     let (a, b) = (chain.first(), chain.last());
-    if (b.x - a.x).abs() > frame.join {
+    // A die around a tube goes up along it.
+    let is_around = tube && tool.role == Role::Die;
+    if (b.x - a.x).abs() > frame.join && !is_around {
         return Ok(if b.x > a.x { chain } else { chain.reversed() });
     }
     let ahead = if heading == Heading::Down { a.y - b.y } else { b.y - a.y };
     let is_wall = chain.pieces().all(|piece| piece.sample(8).iter().all(|p| (p.x - a.x).abs() <= frame.join));
-    if is_wall || ahead.abs() <= frame.join {
+    if is_wall && !is_around || ahead.abs() <= frame.join {
         let place = frame.place(a);
         let what = format!("the {tool}'s line begins and ends at one r, {place}: on which side of it is the sheet?");
         return Err(ImportError::new(what, "draw the face that meets the sheet too, from its inner to its outer end"));
     }
-    Ok(if tool.role.side() * ahead > 0.0 { chain } else { chain.reversed() })
+    Ok(if (tool.role.side() * ahead > 0.0) != is_around { chain } else { chain.reversed() })
 }
 
 fn is_outline(chain: &Chain) -> bool {

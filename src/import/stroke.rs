@@ -5,8 +5,7 @@ use super::layers::{Layers, ToolId, exported, list};
 use super::{ImportError, Result, blocks::Placed, chain::Chain, ensure, frame::Frame, options::Options, spline};
 use crate::geometry::{Bounds, Piece, Point};
 use crate::units::{Dimensioned, Length, rounded};
-use std::f64::consts::{PI, TAU};
-use std::{collections::BTreeMap, fmt};
+use std::{collections::BTreeMap, f64::consts::PI, f64::consts::TAU, fmt};
 
 const ANNOTATIONS: &str = "TEXT MTEXT DIMENSION ARC_DIMENSION LEADER MULTILEADER TOLERANCE HATCH POINT ATTDEF XLINE RAY VIEWPORT \
                            IMAGE WIPEOUT";
@@ -15,6 +14,8 @@ const ANNOTATIONS: &str = "TEXT MTEXT DIMENSION ARC_DIMENSION LEADER MULTILEADER
 const SHORTEST: f64 = 1e-7;
 /// Largest thickness of a drawn blank over its edge's distance from the axis \[–\].
 const THIN: f64 = 0.25;
+/// Least height of a tube over its wall \[–\]: shorter ones are no shells.
+const UPRIGHT: f64 = 5.0;
 /// Largest bulge of a straight line \[–\].
 const STRAIGHT: f64 = 1e-10;
 const CLOSED: i64 = 1;
@@ -67,14 +68,20 @@ pub(super) fn bounds(
         let is_free = !options.layers.iter().any(|(name, _)| name.eq_ignore_ascii_case(&source.layer));
         is_named && is_free && !source.on_paper && entity.is_curve()
     };
-    Bounds::around(entities.iter().filter(is_ours).filter_map(|placed| Pen { placed, frame }.pieces().ok()).flatten())
+    let pieces = entities.iter().filter(is_ours).filter_map(|placed| Pen { placed, frame }.pieces().ok()).flatten();
+    // A left half is the right one's image.
+    let is_left = |piece: &Piece| piece.first().x + piece.last().x < 0.0;
+    Bounds::around(pieces.map(|piece| if is_left(&piece) { piece.across_axis() } else { piece }))
 }
 
-/// Hole, edge and thickness \[mm\] of the blank of layer BLANK, a thin outline as `export` draws it.
-pub(super) fn blank(entities: &[Placed], options: &Options, frame: &Frame) -> Option<[f64; 3]> {
-    let Bounds { low, high } = bounds(&["blank"], None, entities, options, frame)?;
-    let [hole, edge, thickness] = [low.x.max(0.0), high.x, high.y - low.y].map(rounded);
-    (thickness > frame.join && thickness < THIN * edge).then_some([hole, edge, thickness])
+/// Hole, edge and thickness \[mm\] of the blank of layer BLANK, a thin outline as `export` draws it; the bounds of a tube's, upright.
+pub(super) fn blank(entities: &[Placed], options: &Options, frame: &Frame) -> Option<([f64; 3], Option<Bounds>)> {
+    let outline = bounds(&["blank"], None, entities, options, frame)?;
+    let (size, inner) = (outline.high - outline.low, outline.low.x.max(0.0));
+    let is_tube = inner > frame.join && size.y > UPRIGHT * size.x;
+    let (hole, thickness) = if is_tube { (0.0, size.x) } else { (inner, size.y) };
+    let sizes = [hole, outline.high.x, thickness].map(rounded);
+    (thickness > frame.join && (is_tube || thickness < THIN * sizes[1])).then_some((sizes, is_tube.then_some(outline)))
 }
 
 struct Pen<'a> {

@@ -1,7 +1,6 @@
 //! The yield condition of a sheet without voids.
 
-use super::yield_condition::{Metric, Triple, YieldCondition};
-use super::{Hill48, Hosford};
+use super::{Hill48, Hosford, yield_condition::Metric, yield_condition::Triple, yield_condition::YieldCondition};
 use std::fmt;
 
 /// The yield condition of a sheet without voids.

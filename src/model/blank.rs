@@ -4,8 +4,7 @@ use super::{Geometry, Theory};
 use crate::element::Node;
 use crate::geometry::{Point, Profile};
 use crate::material::Material;
-use crate::numerics::PiecewiseLinear;
-use crate::numerics::quadrature::{ThicknessPoint, lobatto, midpoint};
+use crate::numerics::{PiecewiseLinear, quadrature::ThicknessPoint, quadrature::lobatto, quadrature::midpoint};
 use crate::units::{As, NonNegative, Positive, Ratio};
 use std::f64::consts::TAU;
 

@@ -1,7 +1,6 @@
 //! Section at the start with its dimensions.
 
-use super::sections::{flat, panel, tools, whole_sheet};
-use super::*;
+use super::{sections::flat, sections::panel, sections::tools, sections::whole_sheet, *};
 
 /// Size of the section, and its place in the drawing.
 #[derive(Clone, Debug, PartialEq)]

@@ -82,9 +82,10 @@ pub(crate) fn body(role: Role, profile: &Profile, moved: Point, sagitta: f64) ->
 
 pub(crate) fn flat(model: &Model) -> Vec<(f64, f64)> {
     let (blank, half) = (&model.blank, 0.5 * model.blank.thickness);
+    let is_bent = |meridian: &Profile| !matches!(meridian.pieces(), [Piece::Segment(_)]);
     let along = |side: f64| {
         let [from, to] = blank.ends();
-        let count = if blank.meridian.is_some() { OUTLINED } else { 1 };
+        let count = if blank.meridian.as_ref().is_some_and(is_bent) { OUTLINED } else { 1 };
         (0..=count).map(move |i| {
             let [r, z, slope] = blank.node(from + (to - from) * i as f64 / count as f64);
             (r - side * slope.sin(), z + side * slope.cos())

@@ -1,7 +1,6 @@
 //! Section over the travel, coloured by thinning, with the tools where they were then.
 
-use super::sections::{flat, panel, tools, window};
-use super::{stage_view::spread, *};
+use super::{sections::flat, sections::panel, sections::tools, sections::window, stage_view::spread, *};
 
 const STATES: usize = 6;
 /// Width of a small panel \[px\].

@@ -1,7 +1,6 @@
 //! Sketch of imported tools: their sections as drawn, and the ends of the drawn lines.
 
-use super::sections::{SAGITTA, body, panel};
-use super::*;
+use super::{sections::SAGITTA, sections::body, sections::panel, *};
 
 const AROUND: f64 = 0.1;
 

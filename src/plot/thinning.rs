@@ -1,7 +1,6 @@
 //! Thinning as colours: one scale for all pictures of a stage, the thinner the darker.
 
-use super::sections::{mirrored, sheet, whole_sheet};
-use super::{palette::viridis, *};
+use super::{palette::viridis, sections::mirrored, sections::sheet, sections::whole_sheet, *};
 use std::ops::Range;
 
 /// Largest share of the colour map: lighter colours are lost on paper.

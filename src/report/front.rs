@@ -1,8 +1,7 @@
 //! First page: verdict, what to change, key numbers, the part and the load.
 
 use super::{page::in_words, results::PART, sections::warnings, *};
-use crate::plot::chart::{Series, Style, bounds};
-use crate::plot::load_travel;
+use crate::plot::{chart::Series, chart::Style, chart::bounds, load_travel};
 use crate::solver::solution::StepRecord;
 
 const ISSUES: usize = 4;

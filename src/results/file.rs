@@ -1,8 +1,6 @@
 //! Single files that are replaced whole or not at all, and the lock of a folder.
 
-use std::fs::{self, File, TryLockError};
-use std::io::{self, ErrorKind, Write};
-use std::path::{Path, PathBuf};
+use std::{fs, fs::File, fs::TryLockError, io, io::ErrorKind, io::Write, path::Path, path::PathBuf};
 
 /// Failure to write a file or folder; what stood there before is untouched.
 #[derive(Debug, thiserror::Error)]

@@ -9,9 +9,7 @@
 
 use super::file::{Lock, NewFolders, WriteError, can_replace, can_write, fill, folder_of, hidden};
 use rayon::prelude::*;
-use std::fs::{self, File};
-use std::io::{self, ErrorKind};
-use std::path::{Path, PathBuf};
+use std::{fs, fs::File, io, io::ErrorKind, path::Path, path::PathBuf};
 
 /// More files of other origin than this are not linked at every run.
 const MOST_CARRIED: usize = 2000;

@@ -1,7 +1,6 @@
 //! Tables of steps, frames, thickness points, strain paths and iterations.
 
-use super::StageView;
-use super::csv::{csv_with_texts, number, records};
+use super::{StageView, csv::csv_with_texts, csv::number, csv::records};
 use crate::forming_limit::Curve;
 use crate::measure::{self, Change, Shape};
 use crate::model::{Extent, Geometry, Model, PressureCap, Role};
@@ -97,12 +96,8 @@ pub fn load_travel(stage: &StageSolution) -> Table {
     let mut columns: Vec<Column> = fields.map(|field| field.column(extent, &stage.steps)).collect();
     let die = model.tool_index(Role::Die).map(|die| ("die", stage.pressing(die)));
     columns.extend(die.into_iter().chain(stage.further_forces()).map(|(name, values)| {
-        Column::new(
-            format!("{}_force", keyed(name)),
-            format!("{} force", capitalised(name)),
-            extent.force_unit(),
-            values,
-        )
+        let (key, title) = (format!("{}_force", keyed(name)), format!("{} force", capitalised(name)));
+        Column::new(key, title, extent.force_unit(), values)
     }));
     columns.insert(7, edge_diameter(model.geometry, model.blank.edge_radius(), &stage.steps));
     Table::new(columns)

@@ -5,9 +5,7 @@ use super::{FrameRecorder, Make, OUTPUTS, Output, Pictures, ResultFolder, StageV
 use crate::assess::{Answer, Finding, error_bars::ErrorBars, error_bars::answered, judgements};
 use crate::case::{Case, Solution, files::Disk, files::Files};
 use serde_json::{Value, json};
-use std::fs;
-use std::io::{self, ErrorKind};
-use std::path::{Path, PathBuf};
+use std::{fs, io, io::ErrorKind, path::Path, path::PathBuf};
 
 /// Failure to write results.
 #[derive(Debug, thiserror::Error)]

@@ -1,7 +1,6 @@
 //! Starts from which a step is tried before it is halved.
 
-use super::corrector::{Corrector, Pass, patience};
-use super::*;
+use super::{corrector::Corrector, corrector::Pass, corrector::patience, *};
 use crate::model::ContactMethod;
 
 named! {

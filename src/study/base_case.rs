@@ -1,8 +1,7 @@
 //! The case that a study varies, read once; each design is the case with further overrides.
 
 use super::*;
-use crate::case::files::{self, CSV, sha256};
-use crate::case::{self, CaseError};
+use crate::case::{self, CaseError, files, files::CSV, files::sha256};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 const DIGITS: usize = 16;

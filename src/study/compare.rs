@@ -3,8 +3,7 @@
 use super::{run::Silent, verify::Outcome, verify::verify, *};
 use crate::assess::{self, FailureMode, error_bars::ErrorBars};
 use crate::case::comparison::{ComparedQuantity, Spec};
-use crate::plot::chart::{Panel, Series, Style};
-use crate::plot::{palette::color, sections};
+use crate::plot::{chart::Panel, chart::Series, chart::Style, palette::color, sections};
 use crate::results::{comparison::Computed, summary::section_of};
 use crate::units::Digits;
 

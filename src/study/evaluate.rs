@@ -1,9 +1,7 @@
 //! The engine: evaluates the designs that a study asks for, on all cores, until it asks for no more.
 
-use super::run::{evaluate_design, evaluated, responses};
-use super::*;
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::{ops::ControlFlow, sync::mpsc, thread};
+use super::{run::evaluate_design, run::evaluated, run::responses, *};
+use std::{ops::ControlFlow, sync::atomic::AtomicUsize, sync::atomic::Ordering, sync::mpsc, thread};
 
 /// Plan of a study.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,7 +1,6 @@
 //! Sweeps: every combination of the variables' values, or each key by itself.
 
-use super::variable::{SearchRange, check_distinct, written};
-use super::*;
+use super::{variable::SearchRange, variable::check_distinct, variable::written, *};
 use crate::plot;
 
 /// A full factorial design, or one key at a time.

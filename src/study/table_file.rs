@@ -3,8 +3,7 @@
 //!
 //! A killed run may leave half a last row, which resuming removes. Shard k of n has the designs k − 1, k − 1 + n, …
 
-use super::run_table::{BEGINNING, record};
-use super::*;
+use super::{run_table::BEGINNING, run_table::record, *};
 use crate::results::file::{Lock, NewFolders, WriteError, folder_of, hidden, write};
 use std::fs::{self, File};
 use std::io::{self, ErrorKind, Read, Seek, SeekFrom, Write};

@@ -3,8 +3,7 @@
 use crate::common::prelude::*;
 use proptest::prelude::*;
 use stampflow::model::ReleaseStiffness;
-use std::fs::File;
-use std::io::{self, ErrorKind};
+use std::{fs::File, io, io::ErrorKind};
 
 const QUICKSTART: &str = include_str!("../../cases/quickstart.toml");
 

@@ -168,8 +168,7 @@ fn splines_are_followed_within_their_tolerance() {
 
         // y = x²/10 in cm up to x = 2, and a wall. Vertical distances are up to 8 % longer on its slope of 0.4.
         let parabola = sections("tarikjabiri_spline_cm.dxf", &options);
-        let pieces = parabola.operations[0].tool(Role::Punch).unwrap().profile.pieces();
-        let (wall, curve) = pieces.split_last().unwrap();
+        let (wall, curve) = parabola.operations[0].tool(Role::Punch).unwrap().profile.pieces().split_last().unwrap();
         assert!(along(curve).all(|p| (p.y + p.x * p.x / 100.0).abs() < 1.08 * near));
         assert!((wall.first() - Point::new(20.0, -4.0)).norm() < 1e-6);
         assert!((wall.last() - Point::new(20.0, -80.0)).norm() < 1e-6);

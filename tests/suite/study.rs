@@ -2,8 +2,7 @@
 
 use crate::common::prelude::*;
 use stampflow::study::{EarlierRuns, Evaluated, FailureMode, Sweep, evaluate};
-use std::ops::ControlFlow;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::{ops::ControlFlow, sync::atomic::AtomicUsize, sync::atomic::Ordering};
 
 /// The quickstart on a coarse mesh in long steps, with overrides.
 pub fn base(set: &[&str]) -> BaseCase {

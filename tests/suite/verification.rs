@@ -1,8 +1,6 @@
 //! Error bars: that the truth lies inside them, and how they are told.
 
-use crate::common::coverage::{case_of, check, last_digits};
-use crate::common::prelude::*;
-use crate::common::random_die::random_die;
+use crate::common::{coverage::case_of, coverage::check, coverage::last_digits, prelude::*, random_die::random_die};
 use stampflow::assess::error_bars::Number;
 
 fn half(bars: &ErrorBars, origin: Origin, key: &str) -> f64 {

@@ -1,8 +1,6 @@
 //! Strips bent in plane strain: a V in air or pressed home, a U between punch and die, and a clamped strip that is stretched too.
 
-use super::cup::BLANK;
-use super::strips::{corrected, pad};
-use super::*;
+use super::{cup::BLANK, strips::corrected, strips::pad, *};
 use crate::measure::Shape;
 
 /// Blade or form block as TOML: a nose, and straight flanks at an angle to the sheet \[rad\].
@@ -14,8 +12,7 @@ fn wedge(nose: f64, turn: f64, flank: f64) -> String {
 }
 
 pub(super) fn v_bend(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
-    let t = sheet.thickness;
-    let angle = inputs.value("angle");
+    let (t, angle) = (sheet.thickness, inputs.value("angle"));
     let turn = 0.5 * (PI - angle);
     // "60 deg" is 59.99999999999999° once it has been a radian.
     let degrees = rounded(angle.to_degrees());
@@ -60,14 +57,12 @@ pub(super) fn v_bend(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError
         return values([travel(turn), 0.0]);
     }
     corrected("v-bend", 1, [travel(turn), 0.0], values, |bent| {
-        let opening = Shape::of(bent).opening_angle()?;
-        Some([travel(turn) - travel(0.5 * (180.0 - opening).to_radians()), 0.0])
+        Some([travel(turn) - travel(0.5 * (180.0 - Shape::of(bent).opening_angle()?).to_radians()), 0.0])
     })
 }
 
 pub(super) fn u_bend(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
-    let t = sheet.thickness;
-    let [half_width, leg] = inputs.values(["half-width", "leg"]);
+    let (t, [half_width, leg]) = (sheet.thickness, inputs.values(["half-width", "leg"]));
     let nose = nose(inputs, sheet, half_width)?;
     let shoulder = inputs.pick("shoulder", || rules::tool_radius(t));
     let length = half_width - nose.value + rules::quarter_bend(nose.value, t) + leg - t - nose.value;
@@ -89,8 +84,7 @@ pub(super) fn u_bend(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError
 }
 
 pub(super) fn stretch_bend(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
-    let t = sheet.thickness;
-    let [angle, radius] = inputs.values(["angle", "radius"]);
+    let (t, [angle, radius]) = (sheet.thickness, inputs.values(["angle", "radius"]));
     let shoulder = inputs.pick("shoulder", || rules::tool_radius(t));
     let (turn, degrees) = (0.5 * (PI - angle), rounded(angle.to_degrees()));
     let what = || format!("an angle of {degrees:.1}° between the legs is none that a clamped strip is bent to");

@@ -1,7 +1,6 @@
 //! Clamped sheets: stretched over a dome, bulged by oil, free or into a die, embossed, or cupped in Erichsen's test.
 
-use super::strips::stepped;
-use super::*;
+use super::{strips::stepped, *};
 
 /// Radius of Erichsen's specimen and of the die's edge \[mm\] (ISO 20482).
 const SPECIMEN: f64 = 45.0;
@@ -10,8 +9,7 @@ const EDGE: f64 = 0.75;
 const THICKEST: f64 = 2.0;
 
 pub(super) fn stretch_dome(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
-    let t = sheet.thickness;
-    let radius = inputs.value("punch-radius");
+    let (t, radius) = (sheet.thickness, inputs.value("punch-radius"));
     let travel = inputs.pick("height", || Picked::by(0.5 * radius, "half the punch's radius, declared"));
     let what = || format!("a dome {} high is higher than its punch's radius of {}", plain(travel.value), plain(radius));
     let help = "no clamped sheet stretches so far: draw it, stampflow new hemispherical-cup";
@@ -27,8 +25,7 @@ pub(super) fn stretch_dome(inputs: &Inputs, sheet: &Sheet) -> Result<Values, Cas
 }
 
 pub(super) fn bulge(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
-    let t = sheet.thickness;
-    let opening = inputs.value("opening");
+    let (t, opening) = (sheet.thickness, inputs.value("opening"));
     inputs.either(["height", "pressure"])?;
     let height = inputs.number("height").unwrap_or(0.4 * opening);
     let shoulder = inputs.pick("shoulder", || rules::tool_radius(t));
@@ -54,21 +51,16 @@ pub(super) fn bulge(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError>
 }
 
 pub(super) fn hydroform(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
-    let t = sheet.thickness;
-    let [opening, depth] = inputs.values(["opening", "depth"]);
+    let (t, [opening, depth]) = (sheet.thickness, inputs.values(["opening", "depth"]));
     let [corner, shoulder] = ["corner", "shoulder"].map(|key| inputs.pick(key, || rules::tool_radius(t)));
     let (r, edge) = (corner.value, opening + shoulder.value);
     let [deep, least, wide] = [depth, r + shoulder.value, 2.0 * opening].map(plain);
     let what = || format!("a cavity {deep} deep and Ø {wide} has no room for the radii of edge and corner, {least}");
-    ensure(
-        depth >= r + shoulder.value && r <= opening,
-        what,
-        "make --corner or --shoulder smaller, or --depth larger",
-    )?;
+    let help = "make --corner or --shoulder smaller, or --depth larger";
+    ensure(depth >= r + shoulder.value && r <= opening, what, help)?;
     let grown = (1.0 + 2.0 * depth / opening).ln();
-    let flow = sheet.metal.hardening.at(grown).stress;
     let why = "σ t/r of the corner, with the flow stress where the area has grown from disc to sharp-cornered cavity";
-    let pressure = inputs.pick("pressure", || Picked::by(rounded_up(flow * t / r, 2), why));
+    let pressure = inputs.pick("pressure", || Picked::by(rules::filling_pressure(&sheet.metal, grown, t, r), why));
     let (down, into) = (Point::new(opening, shoulder.value), Point::new(opening, depth - r));
     let wall = (into.y > down.y + 1e-6).then_some((into, None));
     let onto = [(Point::new(edge, 0.0), None), (down, Some((Point::new(edge, down.y), false)))];
@@ -86,8 +78,7 @@ pub(super) fn hydroform(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseEr
 }
 
 pub(super) fn emboss(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
-    let t = sheet.thickness;
-    let [boss, depth] = inputs.values(["boss", "depth"]);
+    let (t, [boss, depth]) = (sheet.thickness, inputs.values(["boss", "depth"]));
     let radius = inputs.pick("radius", || rules::tool_radius(t));
     let flat = inputs.pick("flat", || Picked::by(10.0 * t, "10 thicknesses around the boss, declared"));
     let (bends, far) = ([radius.value, radius.value + t], boss + flat.value);

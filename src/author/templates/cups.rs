@@ -7,8 +7,7 @@ use std::f64::consts::FRAC_PI_2;
 const ONE_DRAW: (f64, &str) = (LIMITING_RATIO, "the limit of one draw");
 
 pub(super) fn hemispherical(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
-    let t = sheet.thickness;
-    let [radius, height, flange] = inputs.values(["punch-radius", "height", "flange"]);
+    let (t, [radius, height, flange]) = (sheet.thickness, inputs.values(["punch-radius", "height", "flange"]));
     let what = || format!("a depth of {} is less than half the punch's radius: no cup, but a dome", plain(height));
     ensure(height >= 0.5 * radius, what, "make --height larger, or stretch it: stampflow new stretch-dome")?;
     let shoulder = inputs.pick("shoulder", || rules::tool_radius(t));

@@ -32,8 +32,7 @@ fn edge(sizes: &mut Values, inputs: &Inputs, hole: &Picked) -> Result<(), CaseEr
 }
 
 pub(super) fn hole_expansion(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
-    let t = sheet.thickness;
-    let [hole, throat] = inputs.values(["hole", "throat"]);
+    let (t, [hole, throat]) = (sheet.thickness, inputs.values(["hole", "throat"]));
     let widest = throat - 2.0 * t;
     let what = || format!("a hole of {} leaves no room in a die of {}", plain(2.0 * hole), plain(2.0 * throat));
     ensure(hole >= t && widest >= 2.0 * hole, what, "make --throat larger, or --hole other: a thickness at least")?;
@@ -58,8 +57,7 @@ pub(super) fn hole_expansion(inputs: &Inputs, sheet: &Sheet) -> Result<Values, C
 }
 
 pub(super) fn collar(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
-    let t = sheet.thickness;
-    let [radius, height] = inputs.values(["radius", "height"]);
+    let (t, [radius, height]) = (sheet.thickness, inputs.values(["radius", "height"]));
     let nose = nose(inputs, sheet, radius)?;
     let shoulder = inputs.pick("shoulder", || rules::tool_radius(t));
     let clearance = inputs.pick("clearance", || Picked::by(t, "a thickness, the rim is thinner"));

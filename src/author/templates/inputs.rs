@@ -45,11 +45,10 @@ impl Choice {
             "SWITCH" => match text {
                 "yes" | "true" => Ok(1.0),
                 "no" | "false" => Ok(0.0),
-                _ => Err(QuantityError {
-                    what: format!("{text:?} is neither yes nor no"),
-                    help: String::new(),
-                    with_point: None,
-                }),
+                _ => {
+                    let what = format!("{text:?} is neither yes nor no");
+                    Err(QuantityError { what, help: String::new(), with_point: None })
+                }
             },
             _ => Ok(0.0),
         }

@@ -1,8 +1,7 @@
 //! The sheet that every template forms.
 
 use super::*;
-use crate::case::file::Crystal;
-use crate::case::library::{self, Entry};
+use crate::case::{file::Crystal, library, library::Entry};
 use crate::material::{Hardening, Hosford, Material, hardening::Swift};
 use crate::rules::tensile_strength;
 use crate::writer::forming_limit;

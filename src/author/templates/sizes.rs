@@ -1,7 +1,6 @@
 //! Sizes that several templates derive.
 
-use super::rules::{self, Metal, Picked, ROUNDED_RATIO};
-use super::*;
+use super::{rules, rules::Metal, rules::Picked, rules::ROUNDED_RATIO, *};
 use crate::model::Extent;
 
 impl Values {
@@ -56,10 +55,9 @@ impl Draw {
         let throat = throat(*punch, clearance);
         let flat = [throat.value + shoulder.value, blank.value];
         let (t, strength) = (sheet.thickness, sheet.tensile_strength);
-        let metal = Metal::of(&sheet.metal);
-        let rule = || rules::holder_pressure(metal.pressure, *ratio, 2.0 * punch, flat, t, strength);
+        let Metal { name, ratios: [limit, _], pressure: usual, .. } = Metal::of(&sheet.metal);
+        let rule = || rules::holder_pressure(usual, *ratio, 2.0 * punch, flat, t, strength);
         let pressure = inputs.pick("holder-pressure", rule);
-        let (limit, name) = (metal.ratios[0], metal.name);
         let doubt = format!(" The draw ratio {ratio:.2} is above {limit} of {name} in one draw (4ming): it may tear.");
         let warning = if *ratio > limit + ROUNDED_RATIO { doubt } else { String::new() };
         let mut sizes = sheet.values(false);

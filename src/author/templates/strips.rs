@@ -118,8 +118,7 @@ pub(super) fn stepped(
 }
 
 pub(super) fn joggle(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
-    let t = sheet.thickness;
-    let [depth, flat] = inputs.values(["depth", "flat"]);
+    let (t, [depth, flat]) = (sheet.thickness, inputs.values(["depth", "flat"]));
     let radius = inputs.pick("radius", || rules::tool_radius(t));
     let gap = inputs.pick("clearance", || Picked::by(1.05 * t, "1.05 thicknesses, a declared rule of thumb"));
     // Sum of the radii of the bends' middle lines.
@@ -144,8 +143,7 @@ pub(super) fn joggle(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError
 }
 
 pub(super) fn hat_section(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
-    let t = sheet.thickness;
-    let [half_width, height, flange] = inputs.values(["half-width", "height", "flange"]);
+    let (t, [half_width, height, flange]) = (sheet.thickness, inputs.values(["half-width", "height", "flange"]));
     let nose = nose(inputs, sheet, half_width)?;
     let shoulder = inputs.pick("shoulder", || rules::tool_radius(t));
     let least = nose.value + shoulder.value + t;

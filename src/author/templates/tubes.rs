@@ -118,18 +118,18 @@ pub(super) fn bulge(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError>
     ensure(2.0 * r <= f64::min(rise, half), what, "make --corner smaller or --bulge larger")?;
     let what = || format!("a tube of {} is used up by its bulge and the feed", plain(length));
     ensure(0.5 * length > half + feed + r, what, "make --length larger, or --feed or --width smaller")?;
-    let stress = |strain: f64| sheet.metal.hardening.at(strain).stress;
-    let bulged = stress((bulge / outside).ln());
+    let filling = |strain: f64, thickness: f64, r: f64| rules::filling_pressure(&sheet.metal, strain, thickness, r);
+    let bulged = (bulge / outside).ln();
     let why = "σ t/r of the die's corner, with the flow stress of the bulge";
-    let pressure = inputs.pick("pressure", || Picked::by(rounded_up(bulged * t / r, 2), why));
+    let pressure = inputs.pick("pressure", || Picked::by(filling(bulged, t, r), why));
     let [out, into] = [Point::new(outside + r, -half - r), Point::new(bulge - r, -half + r)];
     let flank = (into.x - out.x > 1e-3).then_some((Point::new(into.x, -half), None));
     let onto = [(Point::new(outside, out.y), None), (Point::new(out.x, -half), Some((out, false)))];
     let along = [(Point::new(bulge, into.y), Some((into, true))), (Point::new(bulge, t), None)];
     let steps: Vec<_> = onto.into_iter().chain(flank).chain(along).collect();
     sizes.set("die", profile_text(Point::new(outside, -length), &steps, exact), "");
-    let first = Picked::by(rounded_up(stress(0.02) * t / outside, 2), "σ t/R of the tube, so that it does not fold");
-    let forming = Picked::by(rounded_up(1.2 * bulged * t / outside, 2), "a fifth above σ t/R of the bulge, declared");
+    let first = Picked::by(filling(0.02, t, outside), "σ t/R of the tube, so that it does not fold");
+    let forming = Picked::by(filling(bulged, 1.2 * t, outside), "a fifth above σ t/R of the bulge, declared");
     for (name, pressure) in [("first", first), ("forming", forming), ("pressure", pressure)] {
         sizes.set(name, format!("\"{} MPa\"", rounded(pressure.value)), &pressure.why);
     }

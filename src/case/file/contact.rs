@@ -1,7 +1,6 @@
 //! Contact with the tools: the holder's force, draw beads, and `friction` of a tool or of its side of the sheet.
 
-use super::tools::{Holder, Pad, ToolKeys};
-use super::{material::only, values::Stiffness, *};
+use super::{material::only, tools::Holder, tools::Pad, tools::ToolKeys, values::Stiffness, *};
 use crate::bead;
 use crate::contact::friction::FrictionTable;
 use crate::material::law::Family;
@@ -44,12 +43,8 @@ impl Holder {
         if let Some(gap) = self.gap {
             let (gap, t) = (gap.value(), blank.thickness);
             let what = format!("the holder's gap of {gap} mm is less than the sheet's thickness of {t} mm");
-            source.require(
-                gap >= t,
-                "tools.holder.gap",
-                what,
-                format!("at least {t} mm; 1.02 to 1.1 times is usual"),
-            )?;
+            let help = format!("at least {t} mm; 1.02 to 1.1 times is usual");
+            source.require(gap >= t, "tools.holder.gap", what, help)?;
             return Ok(Motion::Gap(gap));
         }
         if let Some(pressure) = self.pressure {

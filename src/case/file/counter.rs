@@ -1,7 +1,6 @@
 //! Tool made from the one on the other side of the sheet: its offset, or its mirror image.
 
-use super::section::{Drawn, Origin, Section, SectionTable};
-use super::*;
+use super::{section::Drawn, section::Origin, section::Section, section::SectionTable, *};
 use crate::geometry::CavityError;
 
 /// Length of the die's face over the blank's length \[–\].

@@ -51,12 +51,8 @@ pub fn travel_key(source: &Source) -> &'static str {
 impl CaseFile {
     pub fn drive(&self, length: f64, source: &Source) -> Result<Drive> {
         if let Some(feed) = &self.blank.feed {
-            source.require(
-                self.tools.punch.is_none(),
-                "blank.feed",
-                "the edge is fed and a punch drives",
-                "keep one",
-            )?;
+            let what = "the edge is fed and a punch drives";
+            source.require(self.tools.punch.is_none(), "blank.feed", what, "keep one")?;
             let help = "drop it: the feed says how long it takes";
             source.refuse("gas", &["duration"], "and a feed are both given", help)?;
             return driven_by(feed, "blank.feed", source);

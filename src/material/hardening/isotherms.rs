@@ -1,5 +1,4 @@
-use super::table::{Extrapolation, Monotone, Points, curve};
-use super::*;
+use super::{table::Extrapolation, table::Monotone, table::Points, table::curve, *};
 
 /// Measured points at several temperatures, interpolated straight over the temperature.
 ///

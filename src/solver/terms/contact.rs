@@ -5,8 +5,7 @@
 
 use crate::contact::{ContactForce, ContactPoint};
 use crate::element::{Vector6, kinematics::Matrix6, surface::add_position_second, surface::add_thickness_second};
-use crate::solver::evaluation::{Contact, ContactPosition, Linearisation};
-use crate::solver::*;
+use crate::solver::{evaluation::Contact, evaluation::ContactPosition, evaluation::Linearisation, *};
 use nalgebra::Matrix3;
 
 /// Adds contact and friction of all tools; returns the largest force on a point.

@@ -8,8 +8,7 @@
 //! the distance blocks; φ falls from 1 to 0 as the width b of the sheet under the tool runs out.
 
 use super::{bead, sheet::STABILISATION};
-use crate::solver::restraints::{Grip, fade, fading};
-use crate::solver::*;
+use crate::solver::{restraints::Grip, restraints::fade, restraints::fading, *};
 
 pub fn add(step: &Step, trial: &Trial, out: &mut Evaluation) {
     let (context, model) = (step.context, step.model);

@@ -3,15 +3,13 @@
 use super::{Estimate, estimates, table};
 use crate::case::comparison::Spec;
 use crate::numerics::least_squares::{Ended, Parameter, minimise};
-use crate::plot::chart::{Chart, Panel, Series, Style};
-use crate::plot::palette::BLACK;
+use crate::plot::{chart::Chart, chart::Panel, chart::Series, chart::Style, palette::BLACK};
 use crate::results::comparison::{Computed, Point};
 use crate::study::measured_curve::{deviations, measured_curve};
 use crate::study::variable::{check_distinct, written};
 use crate::study::{BaseCase, Result, StudyError, StudyFile, StudyReport, Variable, Watch, ensure, parallel_map};
 use crate::units::{joined, significant};
-use std::convert::Infallible;
-use std::path::{Path, PathBuf};
+use std::{convert::Infallible, path::Path, path::PathBuf};
 
 /// Keys and the curves that they are fitted to.
 #[derive(Clone, Debug)]

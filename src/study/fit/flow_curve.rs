@@ -3,8 +3,7 @@
 use super::tension::{EXAMPLE, FlowPoint, rows};
 use crate::case::files::{self, Disk, Files};
 use crate::numerics::statistics::block_means;
-use crate::study::measured_curve::{OF_FILE, csv_error};
-use crate::study::{Result, StudyError, Watch, ensure, fail};
+use crate::study::{Result, StudyError, Watch, ensure, fail, measured_curve::OF_FILE, measured_curve::csv_error};
 use crate::table::Csv;
 use crate::tester;
 use crate::units::{Amount, joined, significant};

@@ -1,7 +1,6 @@
 //! Report of fitted laws: parameters, comparison by Akaike's criterion, chart, and `[material]` of a case.
 
-use super::law::{Direction, LawFit, LawFits, MEANS};
-use super::{Estimate, table};
+use super::{Estimate, law::Direction, law::LawFit, law::LawFits, law::MEANS, table};
 use crate::plot::Axis;
 use crate::plot::chart::{Annotation, Chart, Panel, Series, Style, thinned};
 use crate::plot::palette::{BLACK, color};

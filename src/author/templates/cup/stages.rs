@@ -39,8 +39,7 @@ impl Cup<'_> {
             let (gap, outer) = (throat(now.radius, &now.clearance), before.radius - 0.5 * thickness);
             let (throat, is_reverse) = (gap.value, self.inputs.is_on("reverse"));
             let widest = Picked::by(0.5 * (outer - throat), "half the width of the ring inside the cup");
-            let narrow = is_reverse && now.shoulder.value > widest.value;
-            let round = if narrow { &widest } else { &now.shoulder };
+            let round = if is_reverse && now.shoulder.value > widest.value { &widest } else { &now.shoulder };
             let (shoulder, nose) = (round.value, before.nose.value);
             let ring = Ring { thickness, outer, nose, throat, shoulder, is_reverse };
             let mut stage = Values::default();
