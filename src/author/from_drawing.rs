@@ -90,7 +90,7 @@ impl Import {
         let first @ DrawnTools { thickness, blank, .. } = &tools[0];
         let friction =
             Picked::or(self.friction, || placeholder(Inputs::of_sheet().value("friction"), "Coulomb's coefficient"));
-        let mut values = tool_values(&sections.operations[0].tools, &friction);
+        let mut values = tool_values(&sections.operations[0].tools, &friction, first.tube);
         let notes: String = sections.notes.iter().map(|note| comment(&format!("- {note}"))).collect();
         values.set("notes", notes.trim_end(), "");
         let title = format!("Tools of {}", drawing.file_name().unwrap_or_default().display());
@@ -135,8 +135,8 @@ impl Import {
         }
         if let Some(oil) = first.oil(metal) {
             values.set("oil", format!("\"{} MPa\"", oil.value), &oil.why);
-            let is_clamped = first.tube.is_none() && first.holder.is_none();
-            is_clamped.then(|| values.set("edge", "\"clamped\"", "declared: no holder is drawn"));
+            (first.tube.is_none() && first.holder.is_none())
+                .then(|| values.set("edge", "\"clamped\"", "no holder is drawn"));
         }
         let lengths = [("thickness", thickness), ("travel", &first.travel)];
         lengths.into_iter().for_each(|(key, length)| values.set(key, exact(length.value), &length.why));
@@ -221,7 +221,7 @@ fn refused(error: CaseError) -> ImportError {
 
 fn later_stages(later: &[Operation], tools: &[DrawnTools], pressure: f64, friction: &Picked) -> Vec<String> {
     let stage = |(later, (before, now)): (&Operation, (&DrawnTools, &DrawnTools))| {
-        let mut values = tool_values(&later.tools, friction);
+        let mut values = tool_values(&later.tools, friction, now.tube);
         values.set("label", later.number.map_or_else(String::new, |number| format!("op{number}")), "");
         let is_left_out = before.holder.is_some() && now.holder.is_none();
         is_left_out.then(|| values.set("remove", "[\"holder\"]", "no holder is drawn for the new die"));
@@ -248,12 +248,12 @@ fn force(before: &DrawnTools, now: &DrawnTools, pressure: f64) -> (String, Strin
     (format!("\"{:.0} {unit}\"", (pressure * area).ceil().max(1.0)), why)
 }
 
-fn tool_values(tools: &[Section], friction: &Picked) -> Values {
-    let mut values = Values::default();
+fn tool_values(tools: &[Section], friction: &Picked, tube: Option<[f64; 2]>) -> Values {
+    let (mut values, shift) = (Values::default(), tube.map_or(0.0, |[_, high]| -high));
     values.set("friction", friction.value, &friction.why);
     for Section { role, profile, made_of, .. } in tools {
         values.set(role.name(), made_of, "");
-        values.set(&format!("{}_profile", role.name()), drawn_profile(profile), "");
+        values.set(&format!("{}_profile", role.name()), drawn_profile(&profile.shifted(shift)), "");
     }
     values
 }

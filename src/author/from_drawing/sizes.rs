@@ -29,7 +29,7 @@ pub(super) struct DrawnTools {
     /// `None` where a tube is formed without one.
     pub die: Option<Tool>,
     pub holder: Option<Tool>,
-    /// Least and largest z of a tube \[mm\], whose outside radius is the blank's.
+    /// Least and largest z of a tube \[mm\], whose outside radius is the blank's; in the case the largest is 0.
     pub tube: Option<[f64; 2]>,
     pub thickness: Picked,
     pub blank: Picked,
