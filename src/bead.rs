@@ -125,11 +125,11 @@ pub fn closed(case: &Model, bead: &Round, at: f64) -> Result<(Bead, f64, String)
     })?;
     let forces = [drawn.restraining, drawn.uplift, drawn.closing.max(drawn.uplift)];
     let [force, closing, shut] = forces.map(|force| significant(force, 3));
-    let forces =
-        format!("the bead at {at} mm restrains by {force} N/mm; {shut} N/mm close it, {closing} N/mm keep it so");
-    let thinning = Amount::share(drawn.thinning);
+    let (closes, thinning) =
+        (format!("{shut} N/mm close it, {closing} N/mm keep it so"), Amount::share(drawn.thinning));
+    let pulled = format!("as a strip that is pulled through it; its thinning by {thinning} is left out");
     let line = Bead { at, restraining: force.into(), closing, round: Some(*bead) };
-    Ok((line, shut, format!("{forces}, as a strip that is pulled through it; its thinning by {thinning} is left out")))
+    Ok((line, shut, format!("the bead at {at} mm restrains by {force} N/mm; {closes}, {pulled}")))
 }
 
 /// Closing of a bead of a case at `place` by `way`, and the pull through it \[mm\], of a strip of the case's sheet: elastic where its

@@ -126,10 +126,9 @@ pub fn parse_with(text: &str, name: &str, overrides: &[String], files: &dyn File
         return Err(CaseError::unreadable(&path, &too_large(files::CASE)));
     }
     if !source::is_own(text) {
-        let what =
-            format!("{name} is no case file: it has fewer than two of title, geometry, blank, material and tools");
-        let help = "give the path of a case file; begin with a copy of cases/quickstart.toml";
-        return Err(CaseError::bare(what, help.to_owned()));
+        let has = "it has fewer than two of title, geometry, blank, material and tools";
+        let help = "give the path of a case file; begin with a copy of cases/quickstart.toml".to_owned();
+        return Err(CaseError::bare(format!("{name} is no case file: {has}"), help));
     }
     let text = overrides::apply(text, overrides)?;
     let shown = if overrides.is_empty() { name.to_owned() } else { format!("{name} (with overrides)") };

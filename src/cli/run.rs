@@ -56,8 +56,7 @@ impl Args {
         let what = format!("{} is there and is no report of ours: choose another folder with --out", page.display());
         ensure!(!self.report || page.symlink_metadata().is_err() || is_report(&page), bad_request(what));
         place::results(case, &dir)?;
-        let folder = result_folder(case, &dir).map_err(unusable("--out"))?;
-        Ok((dir, folder))
+        result_folder(case, &dir).map_err(unusable("--out")).map(|folder| (dir, folder))
     }
 
     fn solve(&self, case: Case, (dir, folder): (PathBuf, ResultFolder), progress: &Progress) -> Result<Output> {

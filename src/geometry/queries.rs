@@ -94,8 +94,7 @@ impl Profile {
     /// Free ends of the line with their unit directions away from it; `None` on the axis and where it closes.
     pub fn ends(&self) -> [Option<(Point, Point)>; 2] {
         let [(_, first), (_, last)] = self.end_tangents();
-        let away = [-first, last];
-        [0, 1].map(|k| self.ends[k].map(|end| (end, away[k])))
+        [(self.ends[0], -first), (self.ends[1], last)].map(|(end, away)| Some((end?, away)))
     }
 
     /// Highest (or lowest) point between two distances from the axis \[mm\]; `None` when the profile lies beyond them.

@@ -226,12 +226,9 @@ impl Profile {
     /// Angle of the cone between a die's face and its throat to the axis \[rad\].
     pub fn cone(&self) -> Option<f64> {
         let inner = &self.pieces()[1..self.pieces().len().saturating_sub(2).max(1)];
-        let lines = inner.iter().filter_map(|piece| match piece {
-            Piece::Segment(line) => Some(line.to - line.from),
-            Piece::Arc(_) => None,
-        });
-        let mut slanted = lines.filter(|line| line.x < -SAME && line.y > SAME);
-        slanted.next().map(|line| (-line.x).atan2(line.y))
+        let line = |piece: &Piece| if let Piece::Segment(line) = piece { Some(line.to - line.from) } else { None };
+        let slanted = inner.iter().filter_map(line).find(|line| line.x < -SAME && line.y > SAME);
+        slanted.map(|line| (-line.x).atan2(line.y))
     }
 
     /// Flat blank holder from `inner` radius \[mm\] outward.

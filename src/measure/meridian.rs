@@ -69,8 +69,7 @@ impl Meridian {
             return None;
         }
         let along = super::along(frame);
-        let curvature = curvature(&along, &slope, thickness);
-        Some(Self { points, up, along, slope, curvature, thickness })
+        Some(Self { curvature: curvature(&along, &slope, thickness), points, up, along, slope, thickness })
     }
 
     /// Bends from the axis outward, of alternating sense: turns of the slope, less than [`BEND`] back not counted.
@@ -104,8 +103,7 @@ impl Meridian {
         for (i, inner) in bends.iter().enumerate() {
             let outer = bends.get(i + 1);
             let turned = |i: usize, bend: &Bend, share: f64| bend.sense * self.curvature[i] - share * bend.curvature;
-            let is_leg =
-                |node: &usize| turned(*node, inner, FLAT) < 0.0 && outer.is_none_or(|o| turned(*node, o, CURLED) < 0.0);
+            let is_leg = |i: &usize| turned(*i, inner, FLAT) < 0.0 && outer.is_none_or(|b| turned(*i, b, CURLED) < 0.0);
             let nodes: Vec<usize> = (inner.sharpest..=outer.map_or(self.along.len() - 1, |b| b.sharpest)).collect();
             let (mut stretches, mut between): (Vec<(Range<usize>, f64)>, _) = (Vec::new(), inner.sense * BEND);
             for run in nodes.chunk_by(|i, j| is_leg(i) == is_leg(j)) {

@@ -148,9 +148,8 @@ impl Blank {
 
     /// Largest distance of the mid-surface from the axis or symmetry plane \[mm\].
     pub fn reach(&self) -> f64 {
-        self.meridian
-            .as_ref()
-            .map_or(self.length, |_| self.mid_surface(CHORDS).map(|(point, _)| point.x).fold(0.0, f64::max))
+        let farthest = |_: &Profile| self.mid_surface(CHORDS).map(|(point, _)| point.x).fold(0.0, f64::max);
+        self.meridian.as_ref().map_or(self.length, farthest)
     }
 
     /// Points along the mid-surface, `count` and one more, with half the thickness \[mm\].

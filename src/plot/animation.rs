@@ -31,9 +31,8 @@ fn picture(view: &StageView, frames: &[&Frame], frame: &Frame) -> Chart {
     let decimals = if largest > 0.0 { (2.0 - largest.log10().floor()).clamp(0.0, 6.0) as usize } else { 0 };
     let at = Amount::new(value, unit, Digits::Decimals(decimals));
     let thinning = Thinning::new(model.blank.thickness, WIDTH / window[0].1, frames.iter().copied());
-    let section = sections::panel(model.geometry, window)
-        .with(sections::tools(model, Some(frame), window[0].1))
-        .with(thinning.section(frame, false));
+    let tools = sections::tools(model, Some(frame), window[0].1);
+    let section = sections::panel(model.geometry, window).with(tools).with(thinning.section(frame, false));
     let panels = [section, thinning.scale()].into_iter().chain(load(view, frame.time)).collect();
     Chart { title: format!("{}: {} {at}", model.title, view.progress()), ..view.chart("", panels, [thinning.note()]) }
 }

@@ -26,8 +26,7 @@ pub fn plot(view: &StageView) -> Option<Chart> {
     let places = bands(view.stage).into_iter().map(|stretch| (middle(&stretch.elements), stretch));
     let places: Vec<(usize, Stretch)> = places.filter(|(element, _)| *element < elements.len()).collect();
     places.first()?;
-    let stresses: [(_, StressOf); 2] =
-        [(STRESS_MERIDIONAL, |point| point.stress_meridional), (STRESS_HOOP, |point| point.stress_hoop)];
+    let stresses: [(_, StressOf); 2] = [(STRESS_MERIDIONAL, |p| p.stress_meridional), (STRESS_HOOP, |p| p.stress_hoop)];
     let panels = stresses.into_iter().enumerate().map(|(n, (field, stress))| {
         let curves = places.iter().enumerate().map(|(i, (element, stretch))| {
             let points = frame.through.elements().nth(*element).unwrap_or_default();

@@ -29,8 +29,7 @@ use time::OffsetDateTime;
 
 /// Given date, or today in UTC: by `SOURCE_DATE_EPOCH` where it is set (<https://reproducible-builds.org>).
 pub fn date(given: Option<String>) -> Option<String> {
-    let epoch = || std::env::var("SOURCE_DATE_EPOCH").ok()?.parse().ok();
-    let now = || OffsetDateTime::from_unix_timestamp(epoch()?).ok();
+    let now = || OffsetDateTime::from_unix_timestamp(std::env::var("SOURCE_DATE_EPOCH").ok()?.parse().ok()?).ok();
     let today = || now().unwrap_or_else(OffsetDateTime::now_utc).date().to_string();
     given.or_else(|| Some(today())).filter(|date| date != "none")
 }

@@ -58,8 +58,7 @@ fn tools(report: &Report) -> Markup {
     let sizes: Vec<_> = stages.iter().map(|i| begun(report, *i).2).collect();
     let find = |k: usize, of| Some(sizes[k].iter().find(|size| size.name.starts_with(of))?.amount.to_string());
     let ratios = ratios(report).into_iter().map(|ratio| Some(Amount::ratio(ratio?).to_string()));
-    let all = 0..stages.len();
-    let sizes = TOOLS.map(|(label, of)| (label, all.clone().map(|k| find(k, of)).collect()));
+    let sizes = TOOLS.map(|(label, of)| (label, (0..stages.len()).map(|k| find(k, of)).collect()));
     let heights = stages.iter().map(|i| value(report, *i, "part_height")).collect();
     let before = |i: &usize| {
         let begin = &report.solution.case.stages[*i].begin;

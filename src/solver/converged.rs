@@ -23,8 +23,7 @@ impl<'a> Converged<'a> {
 
     /// Force along z of every tool on the sheet, of the whole part \[N, or N/mm\].
     pub fn tool_forces(&self) -> Vec<f64> {
-        let times = self.step.model.extent().times();
-        self.evaluation.tool_force.iter().map(|force| times * force.y).collect()
+        self.evaluation.tool_force.iter().map(|force| self.step.model.extent().times() * force.y).collect()
     }
 
     /// Largest equivalent strain increment at a thickness point \[–\].

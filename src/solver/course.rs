@@ -146,7 +146,7 @@ impl Course {
             }
             let (mut next, record) = advance(&before, &converged, rejected, &self.now.last);
             let seen = self.now.termination.after(model, &self.now.state, &next, &record);
-            if control.oversteps(&step, seen.excess) {
+            if control.search.look(step.state.time, dt, seen.excess) {
                 self.now.effort.overstepped += 1;
                 rejected += 1;
                 continue;

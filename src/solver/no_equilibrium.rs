@@ -36,10 +36,8 @@ pub(super) fn creeping(
     let worst = worst.unwrap_or_else(fastest);
     mechanism(step, evaluation, worst, steps).unwrap_or_else(|| {
         let (at, dt, s0) = (reached(state), Amount::time(step.dt), state.s0[worst]);
-        let text = format!(
-            "creeping: {tries} tries of a step have come to {at}, the next would take {dt}; worst at s0 = {}",
-            Amount::place(s0)
-        );
+        let spent = format!("{tries} tries of a step have come to {at}, the next would take {dt}");
+        let text = format!("creeping: {spent}; worst at s0 = {}", Amount::place(s0));
         Stop::at(StopKind::Creeping, s0, joined([text, symptoms(step, evaluation, worst, steps)], ": "))
     })
 }

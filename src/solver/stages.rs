@@ -49,8 +49,7 @@ fn from_flat(model: &Model, observer: &mut dyn Observer) -> StageSolution {
         return before;
     }
     let model = closed(model, before.steps.last().map_or(0.0, |last| last.travel));
-    let meets =
-        model.tools.iter().map(|tool| tool.role).filter(|role| matches!(role, Role::Punch | Role::Pad)).collect();
+    let meets = [Role::Punch, Role::Pad].into_iter().filter(|role| model.tool(*role).is_some()).collect();
     let stage = Stage { name: String::new(), model, begin: Beginning { meets, ..Beginning::default() } };
     let state = enter(&stage, &before.model, before.end);
     StageSolution { closing: before.closing, ..run_from(&stage.model, state, observer) }

@@ -240,8 +240,7 @@ impl State {
 
     /// Mid-surface strains of this instant, less ironing: a wall that two tools press thin does not neck by it.
     pub fn instant(&self) -> Instant {
-        let stretched =
-            |([meridional, hoop], [_, ironed]): (&[f64; 2], &[f64; 2])| [meridional - ironed.max(0.0), *hoop];
+        let stretched = |([along, hoop], [_, ironed]): (&[f64; 2], &[f64; 2])| [along - ironed.max(0.0), *hoop];
         let strains = self.membrane.iter().zip(&self.ironed).map(stretched).collect();
         Instant { time: self.time, travel: self.travel, strains }
     }

@@ -77,12 +77,11 @@ fn contact_share(converged: &Converged) -> f64 {
     let Converged { step, evaluation, .. } = converged;
     let within = step.model.gas.iter().map(|gas| gas.within).reduce(f64::max).unwrap_or(f64::INFINITY);
     let seal = Seal::find(&step.state.nodes, within, step.model.geometry);
-    let tools = step.context.tools.iter().enumerate();
-    let forming: Vec<usize> =
-        tools.filter(|(_, tool)| matches!(tool.role, Role::Punch | Role::Die)).map(|(j, _)| j).collect();
+    let forming = [Role::Punch, Role::Die].map(|role| step.model.tool_index(role));
     let lying = step.context.penalty.lying();
     // Distance from lying on the nearest tool, extrapolated from the contact points to the element's ends.
-    let off = |i: usize| forming.iter().map(|&j| evaluation.contacts[(j, i)].gap).fold(f64::INFINITY, f64::min) - lying;
+    let gaps = |i: usize| forming.into_iter().flatten().map(move |j| evaluation.contacts[(j, i)].gap);
+    let off = |i: usize| gaps(i).fold(f64::INFINITY, f64::min) - lying;
     let ends = |e: usize| {
         let (a, b) = (off(STATIONS * e), off(STATIONS * e + 1));
         let (middle, half) = (0.5 * (a + b), 0.5 * (b - a) / step.stations()[1].xi);

@@ -30,7 +30,7 @@ pub(super) struct StepControl<'a> {
     next_frame: usize,
     /// Time at which the tools close \[s\]; infinite if never.
     end: f64,
-    search: EndSearch,
+    pub search: EndSearch,
 }
 
 impl<'a> StepControl<'a> {
@@ -55,11 +55,6 @@ impl<'a> StepControl<'a> {
         let Some(to_end) = self.search.step(state.time).filter(|to_end| *to_end < dt) else { return Some(dt) };
         self.given = self.model.process_time(state.time, to_end);
         Some(to_end)
-    }
-
-    /// True if a step goes too far beyond the end of the run and is to be repeated shorter.
-    pub fn oversteps(&mut self, step: &Step, excess: f64) -> bool {
-        self.search.look(step.state.time, step.dt, excess)
     }
 
     /// Chooses the next step after an accepted one; `before` is the evaluation of the step before.

@@ -110,8 +110,7 @@ pub fn trace(stages: &[Stage], request: &TraceRequest, observer: &mut dyn Observ
         history.end = try_step(&model, &before, dt, step, &mut history);
         history
     };
-    let histories = matrices.iter().map(repeat).collect();
-    Ok(Trace { stage, tolerance, before, record: *record, dt, histories })
+    Ok(Trace { histories: matrices.iter().map(repeat).collect(), stage, tolerance, before, record: *record, dt })
 }
 
 struct Replay<'a> {

@@ -2,9 +2,8 @@
 
 use super::{run::response_key, *};
 use crate::numerics::interpolated;
-use crate::plot::Axis;
 use crate::plot::chart::{Annotation, AnnotationKind, Color, Panel, Scale, Series, Style, bounds};
-use crate::plot::palette::{BLACK, GREY, color, pale};
+use crate::plot::{Axis, palette::BLACK, palette::GREY, palette::color, palette::pale};
 use crate::units::Sense;
 use contour::ContourBuilder;
 

@@ -69,11 +69,8 @@ impl RunTable {
     /// Number of runs with each light, and of those that were not run.
     pub fn lights(&self) -> BTreeMap<&'static str, usize> {
         let count = |light: Option<Light>| self.runs.iter().filter(|run| run.light == light).count();
-        Light::ALL
-            .map(|light| (light.name(), count(Some(light))))
-            .into_iter()
-            .chain([("not_run", count(None))])
-            .collect()
+        let run = Light::ALL.map(|light| (light.name(), count(Some(light))));
+        run.into_iter().chain([("not_run", count(None))]).collect()
     }
 
     /// First line of the CSV.

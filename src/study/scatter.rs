@@ -74,8 +74,7 @@ impl Scatter {
         let at = |variable: &UncertainVariable, share: f64| variable.settings(&variable.value(share));
         variables.iter().try_for_each(|one| base.check_any([0.5, 0.001, 0.999].map(|share| at(one, share))))?;
         let absolute = variables.iter().filter(|variable| variable.is_absolute);
-        let settings: Vec<String> = absolute.flat_map(|variable| at(variable, 0.5)).collect();
-        base.check_effective(&settings)?;
+        base.check_effective(&absolute.flat_map(|variable| at(variable, 0.5)).collect::<Vec<_>>())?;
         let columns = variables.iter().map(|uncertain| uncertain.variable.header()).collect();
         Ok(Self { plan: Plan::new(base, &format!("{variables:?}{runs}{seed}"), columns, runs), variables, seed })
     }

@@ -62,8 +62,7 @@ impl Variable {
         reader.ensure(!is_log || low > 0.0, "has no logarithms: both ends must be above 0")?;
         reader.ensure(start.is_none_or(|start| (low..=high).contains(&start)), "does not hold its start")?;
         let spacing = if is_log { Spacing::Logarithmic } else { Spacing::Even };
-        let range = SearchRange { ends, count, spacing, start };
-        Ok(Self { range: Some(range), ..Self::new(key, reader.unit()?) })
+        Ok(Self { range: Some(SearchRange { ends, count, spacing, start }), ..Self::new(key, reader.unit()?) })
     }
 
     fn list(key: &str, values: &str) -> Result<Self> {

@@ -9,15 +9,13 @@ use crate::geometry::Profile;
 use crate::material::elastoplastic::{Carried, ElastoplasticLaw, Operators, Trial};
 use crate::material::flow::{FlowLaw, Iterate, PointState, Tangent, YieldCondition};
 use crate::material::fracture::{Brozzo, CockcroftLatham, Fracture, FractureStress, Oyane, RiceTracey};
-use crate::material::rate::{CowperSymonds, PowerRate};
 use crate::material::{BackStress, Elastic, Gtn, Hardening, Hill48, Hosford, PointLaw, Rate, Surroundings, ThermalLaw};
-use crate::material::{hardening::Swift, thermal::Exponential};
+use crate::material::{hardening::Swift, rate::CowperSymonds, rate::PowerRate, thermal::Exponential};
 use crate::model::{Edge, Face, Gas, Iteration, Model, Motion, Role, Tool};
 use crate::numerics::block_tridiagonal::System;
-use crate::solver::corrector::{allowed_share, velocity_norm};
 use crate::solver::evaluation::{ContactPosition, Evaluation};
+use crate::solver::{corrector::allowed_share, corrector::velocity_norm, terms, trial};
 use crate::solver::{equilibrium::evaluate, retry::try_step, run_context::RunContext, state::State, step::Step};
-use crate::solver::{terms, trial};
 use nalgebra::{Matrix3, Vector3};
 use std::array::from_fn;
 

@@ -191,8 +191,7 @@ pub fn of_stages(stages: &[Stage], source: &Source) -> Result<()> {
         total += of_frames + of_steps;
         let of_frames = (of_frames, frames_key(i, source), "keep fewer frames, or fewer elements");
         let of_steps = (of_steps, "solver.max_step".into(), "take longer steps, or fewer elements");
-        largest =
-            [of_frames, of_steps].into_iter().fold(largest, |most, next| if next.0 > most.0 { next } else { most });
+        largest = [of_frames, of_steps].into_iter().fold(largest, |a, b| if b.0 > a.0 { b } else { a });
     }
     let [gigabytes, most] = [total, MEMORY].map(|bytes| bytes as f64 / 1e9);
     let what = format!("the stages ({}) fill {gigabytes:.2} GB, more than {most:.2} GB", stages.len());

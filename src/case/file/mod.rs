@@ -145,10 +145,9 @@ impl CaseFile {
             Some(limit) => limit.curve(&material, blank.thickness, heat.as_ref(), source)?,
             None => FormingLimit::usual(&material, blank.thickness, heat.as_ref(), source),
         };
-        let by_rate = |tool: &Tool| matches!(tool.friction, Friction::Stribeck(_));
+        let by_rate = tools.iter().any(|tool| matches!(tool.friction, Friction::Stribeck(_)));
         let heat_flows = heat.as_ref().is_some_and(|heat| heat.flow.is_some());
-        let timed =
-            drive.timed || material.rate.is_some() || heat_flows || tools.iter().any(by_rate) || self.gas.is_some();
+        let timed = drive.timed || material.rate.is_some() || heat_flows || by_rate || self.gas.is_some();
         drive::check_settings(&self.solver, source)?;
         drive::check_stop(&self.stop, &tools, source)?;
         let mut model = Model {

@@ -98,9 +98,8 @@ impl<'a> Groove<'a> {
             let (increment, [pull, slip]) = self.turned(x[0], along, x[1]);
             let yields = self.yield_stress(now.groove + increment, increment / duration);
             let thin = (now.thickness - x[0] - along).exp();
-            let missing =
-                [yields * thin * pull / across_force - 1.0, (yields * thin * slip - along_force) / across_force];
-            (increment > 0.0).then(|| Vector2::from(missing))
+            let (pull, slip) = (yields * thin * pull, yields * thin * slip);
+            (increment > 0.0).then(|| Vector2::new(pull / across_force - 1.0, (slip - along_force) / across_force))
         };
         let mut x = now.rate * step;
         let h = 1e-7 * step;

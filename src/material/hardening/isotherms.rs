@@ -82,8 +82,7 @@ impl HardeningLaw for Isotherms {
 #[cfg(test)]
 #[test]
 fn isotherms_are_interpolated_and_held() {
-    let law = Isotherms::example();
-    let stress = |t: f64| law.at_temperature(0.07, t).stress;
+    let stress = |t: f64| Isotherms::example().at_temperature(0.07, t).stress;
     let [cold, hot] = [1.0, 0.6].map(|factor| Monotone::example(factor).at(0.07).stress);
     approx::assert_relative_eq!(stress(398.15), 0.5 * (cold + hot), max_relative = 1e-14);
     assert_eq!([stress(200.0), stress(600.0)], [cold, hot]);

@@ -63,8 +63,7 @@ pub(crate) fn missing(text: &str) -> Vec<char> {
 
 /// Width of a line of text \[px\].
 pub(super) fn width(text: &str, size: f64) -> f64 {
-    let em = FACE.units_per_em().unwrap_or(1.0);
-    let advance = |c: char| f64::from(FACE.h_advance_unscaled(FACE.glyph_id(c)) / em);
+    let advance = |c: char| f64::from(FACE.h_advance_unscaled(FACE.glyph_id(c)) / FACE.units_per_em().unwrap_or(1.0));
     ROOM * size * text.chars().map(advance).sum::<f64>()
 }
 

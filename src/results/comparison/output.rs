@@ -3,8 +3,7 @@
 use super::{Band, Comparison, Point, Verdict, four_digits};
 use crate::case::comparison::ComparedQuantity;
 use crate::plot::chart::{Chart, Panel, Series, Style, bounds, thinned};
-use crate::plot::palette::{BLACK, GREY, color};
-use crate::plot::{Axis, StageView};
+use crate::plot::{Axis, StageView, palette::BLACK, palette::GREY, palette::color};
 use crate::results::{Files, Format, Results, csv};
 use crate::table::{Column, Table, Unit};
 use crate::units::{Amount, Digits, joined, rounded, without_zeros};
@@ -151,8 +150,7 @@ impl Comparison {
                 let all = self.compared_points(|point| Some(100.0 * point.difference()?));
                 let end = 100.0 * DRAWN * self.spec.tolerance;
                 let drawn: Vec<_> = all.iter().copied().filter(|point| point.1.abs() <= end).collect();
-                let most = if 2 * (all.len() - drawn.len()) > self.points.len() { all } else { drawn };
-                let differences = thinned(most);
+                let differences = thinned(if 2 * (all.len() - drawn.len()) > self.points.len() { all } else { drawn });
                 let tolerance = rounded(100.0 * self.spec.tolerance);
                 let level = |value: f64| vec![(low, value), (high, value)];
                 let below = [

@@ -1,9 +1,8 @@
 //! Report of fitted laws: parameters, comparison by Akaike's criterion, chart, and `[material]` of a case.
 
 use super::{Estimate, law::Direction, law::LawFit, law::LawFits, law::MEANS, table};
-use crate::plot::Axis;
 use crate::plot::chart::{Annotation, Chart, Panel, Series, Style, thinned};
-use crate::plot::palette::{BLACK, color};
+use crate::plot::{Axis, palette::BLACK, palette::color};
 use crate::study::{Cell, ReportTable, StudyReport};
 use crate::units::{Amount, Digits, Unit, joined, rounded, significant, trimmed};
 
