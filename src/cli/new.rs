@@ -54,11 +54,10 @@ fn option(choice: &'static Choice, heading: &'static str) -> impl Iterator<Item 
 fn subcommand(template: &'static Template) -> Command {
     let output = Arg::new("output").short('o').long("output").alias("out").value_name("FILE");
     let heading = |i: usize| if i < template.own.len() { "Sizes" } else { "Sheet" };
-    let args = template.options().enumerate().flat_map(|(i, choice)| option(choice, heading(i)));
     Command::new(template.name)
         .about(template.about.as_str())
         .override_usage(format!("stampflow new {} [-o FILE] [--force] [OPTIONS]", template.name))
-        .args(args)
+        .args(template.options().enumerate().flat_map(|(i, choice)| option(choice, heading(i))))
         // A word without an option: that before it is read first, and is the mistake if it has no value.
         .arg(Arg::new("word").hide(true).value_parser(|_: &str| Err::<String, _>("no option stands before it")))
         .arg(output.value_parser(value_parser!(PathBuf)).help("Write the case there instead of printing it"))

@@ -94,10 +94,9 @@ impl Args {
     fn rest(&self, results: &Results, files: &str) -> ScreenText {
         let summary = CaseSummary::of(results.solution, &results.views);
         let lines = Some(&summary.lines).filter(|lines| !lines.is_empty());
-        let mut text = lines.map_or_else(ScreenText::default, |lines| wrapped(format!("\n{lines}")));
-        for stage in summary.stages.iter().filter(|_| self.verbose) {
-            text = text + "\n" + rows(stage.rows());
-        }
+        let text = lines.map_or_else(ScreenText::default, |lines| wrapped(format!("\n{lines}")));
+        let stages = summary.stages.iter().filter(|_| self.verbose);
+        let text = stages.fold(text, |text, stage| text + "\n" + rows(stage.rows()));
         let comparisons = results.comparisons.iter().map(|comparison| comparison.sentence() + "\n");
         text + wrapped(format!("\n{}{files}\n", comparisons.collect::<String>()))
     }

@@ -46,9 +46,7 @@ fn add_point(c: &mut Matrix5, zeta: f64, half: f64, v: f64, tangent: &Tangent) {
     let q = q.map(|q| v * q);
     for j in 0..5 {
         c[(GAMMA, j)] += [sg, tg, zeta * sg, zeta * tg, gg][j];
-        for i in j..5 {
-            c[(i, j)] += p[i] * q[j] + q[i] * p[j];
-        }
+        (j..5).for_each(|i| c[(i, j)] += p[i] * q[j] + q[i] * p[j]);
     }
 }
 

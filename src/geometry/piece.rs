@@ -174,10 +174,7 @@ impl Piece {
 
     /// Points along the piece with both ends, an arc every `step` \[rad\] or finer.
     pub fn polyline(&self, step: f64) -> Vec<Point> {
-        self.sample(match self {
-            Piece::Segment(_) => 1,
-            Piece::Arc(a) => (a.sweep.abs() / step).ceil().max(1.0) as usize,
-        })
+        self.sample(if let Piece::Arc(a) = self { (a.sweep.abs() / step).ceil().max(1.0) as usize } else { 1 })
     }
 
     /// Closest point to `x` \[mm\].

@@ -119,11 +119,8 @@ impl Hosford {
         let (own, between) = (self.power.less_two(x.abs()), r * self.power.less_two(y));
         let across = y * between;
         let turn = if w.is_some() { -first * sum / (sum + first_between) } else { 0.0 };
-        let rate = if turn.abs() > SAME {
-            (x - start) / turn
-        } else {
-            (1.0 + across) / ((self.exponent() - 1.0) * (own + sum * between))
-        };
+        let slope = || (1.0 + across) / ((self.exponent() - 1.0) * (own + sum * between));
+        let rate = if turn.abs() > SAME { (x - start) / turn } else { slope() };
         [x, rate, self.power.inverse_square((1.0 + x * x * own + y * across) * self.inverse_weight)]
     }
 

@@ -69,9 +69,8 @@ impl Material {
         let thermal = self.thermal.map(|thermal| format!(" times {thermal}"));
         let criterion = self.yield_criterion;
         let criterion = (criterion != YieldCriterion::default()).then(|| format!("; {criterion}"));
-        let gtn = self.gtn.map(|gtn| format!("; {gtn}"));
         let fracture = self.fracture.map(|fracture| format!("; fracture at {fracture}"));
-        let others = [rate, thermal, criterion, gtn, fracture].into_iter().flatten();
+        let others = [rate, thermal, criterion, self.gtn.map(|gtn| format!("; {gtn}")), fracture].into_iter().flatten();
         others.fold(self.hardening.to_string(), |text, more| text + &more)
     }
 

@@ -190,10 +190,8 @@ impl Blank {
 
     /// The points through the thickness.
     pub fn points(&self) -> Vec<ThicknessPoint> {
-        match self.rule {
-            ThicknessRule::Parts if self.layers > 1 => midpoint(self.layers),
-            _ => lobatto(self.layers),
-        }
+        let is_in_parts = self.rule == ThicknessRule::Parts && self.layers > 1;
+        if is_in_parts { midpoint(self.layers) } else { lobatto(self.layers) }
     }
 }
 

@@ -201,10 +201,9 @@ impl Model {
 
     /// Gas whose pressure holds a strain rate.
     pub fn held_gas(&self) -> Option<(&Gas, &RateControl)> {
-        self.gas.iter().find_map(|gas| match &gas.pressure {
-            Pressure::Rate(control) => Some((gas, control)),
-            Pressure::OverTime(_) => None,
-        })
+        self.gas
+            .iter()
+            .find_map(|gas| if let Pressure::Rate(control) = &gas.pressure { Some((gas, control)) } else { None })
     }
 
     /// Punch travel \[mm\] at a time of the run \[s\].
@@ -224,18 +223,14 @@ impl Model {
 
     /// Process time of the clock interval `dt` from `time` on \[s\]: equal steps in it are equal travels.
     pub fn process_time(&self, time: f64, dt: f64) -> f64 {
-        match &self.schedule {
-            Some(schedule) => self.duration * (schedule.at(time + dt) - schedule.at(time)) / self.travel,
-            None => dt,
-        }
+        let way = |schedule: &PiecewiseLinear| schedule.at(time + dt) - schedule.at(time);
+        self.schedule.as_ref().map_or(dt, |schedule| self.duration * way(schedule) / self.travel)
     }
 
     /// Clock interval from `time` on of this process time \[s\].
     pub fn clock_time(&self, time: f64, process_time: f64) -> f64 {
-        match &self.schedule {
-            Some(schedule) => schedule.reaches(schedule.at(time) + self.travel * process_time / self.duration) - time,
-            None => process_time,
-        }
+        let way = self.travel * process_time / self.duration;
+        self.schedule.as_ref().map_or(process_time, |schedule| schedule.reaches(schedule.at(time) + way) - time)
     }
 
     /// Next time at which the punch changes its speed \[s\]; infinite if never.

@@ -61,10 +61,11 @@ pub(crate) fn strains(view: &StageView) -> Option<Chart> {
     let earlier = view.shown_frames().into_iter().rev().skip(1).map(|frame| (frame, true));
     let curves = earlier.chain([(last, false)]).flat_map(|(frame, is_earlier)| {
         STRAINS.iter().enumerate().map(move |(i, field)| {
-            let points = s0.against(field, &frame.elements);
-            match is_earlier {
-                true => Series::silent(points, Style::curve(i).faint()),
-                false => Series::new(field.label(extent), points, Style::curve(i)),
+            let (points, style) = (s0.against(field, &frame.elements), Style::curve(i));
+            if is_earlier {
+                Series::silent(points, style.faint())
+            } else {
+                Series::new(field.label(extent), points, style)
             }
         })
     });

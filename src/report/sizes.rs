@@ -73,10 +73,9 @@ fn wide(model: &Model, of: &str, amount: fn(f64) -> Amount, at: Point) -> Dimens
 
 /// The radii of a tool, those that are alike together; of a curve of many arcs the smallest.
 fn roundings(tool: &Tool, moved: Point, name: &str) -> Vec<Dimension> {
-    // Arcs that are one rounding of the sheet's side come together, hollows as they are.
-    let hollows = tool.profile.pieces().iter().filter_map(Piece::hollow);
     let mut found: Vec<(String, usize, Arc)> = Vec::new();
-    for arc in tool.profile.corners().chain(hollows) {
+    // Arcs that are one rounding of the sheet's side come together, hollows as they are.
+    for arc in tool.profile.corners().chain(tool.profile.pieces().iter().filter_map(Piece::hollow)) {
         let name = format!("{name}{}", place(tool.role, &arc));
         match found.iter_mut().find(|(n, _, a)| *n == name && (a.radius / arc.radius - 1.0).abs() < ALIKE) {
             Some((_, alike, _)) => *alike += 1,

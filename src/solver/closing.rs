@@ -70,9 +70,7 @@ fn closing_model(model: &Model, way: f64) -> Model {
     (model.travel, model.duration, model.schedule) = (travel, travel / model.speed, None);
     model.frames = vec![model.duration];
     (model.beads, model.gas, model.forming_limit) = (Vec::new(), Vec::new(), None);
-    if let Some(heat) = &mut model.heat {
-        heat.flow = None;
-    }
+    model.heat.iter_mut().for_each(|heat| heat.flow = None);
     model
 }
 

@@ -95,13 +95,12 @@ fn mark_steady(step: &Step, evaluation: &Evaluation, next: &mut State) {
         return;
     }
     let metal = &step.model.material.yield_criterion;
-    let least = FLOWING * step.cutoff(1.0);
     let rows = next.points.rows().zip(step.state.points.rows()).zip(evaluation.updates.rows());
     for (steady, ((now, before), updates)) in next.steady.iter_mut().zip(rows) {
         *steady = now.iter().zip(before).zip(updates).all(|((now, before), update)| {
             let (rate, last) = (now.strain_rate, before.strain_rate.map(|rate| step.speed_ratio * rate));
             let change = metal.equivalent_increment([rate[0] - last[0], rate[1] - last[1], rate[2] - last[2]]);
-            update.increment > least && change < STEADY * metal.equivalent_increment(rate)
+            update.increment > FLOWING * step.cutoff(1.0) && change < STEADY * metal.equivalent_increment(rate)
         });
     }
 }

@@ -11,9 +11,7 @@ const AT_REST: f64 = 1e-9;
 #[must_use]
 pub(super) fn evaluate(step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluation) -> bool {
     for (x, (start, u)) in out.nodes.iter_mut().zip(step.state.nodes.iter().zip(&trial.moves)) {
-        for d in 0..3 {
-            x[d] = start[d] + u[d];
-        }
+        *x = [0, 1, 2].map(|d| start[d] + u[d]);
     }
     out.system.clear();
     if !sheet::add(step, trial, at, out) {
@@ -44,11 +42,8 @@ pub(super) fn unloading(model: &Model, state: &State) -> Arc<[Vector3<f64>]> {
     trial.predict(&step, true);
     let matrix = model.settings.iteration;
     let at = Linearisation { matrix, residual_alone: true, iteration: 0, velocity_norm: f64::INFINITY };
-    if evaluate(&step, &mut trial, &at, &mut out) {
-        out.system.rhs.iter().map(|f| -f).collect()
-    } else {
-        Arc::default()
-    }
+    let is_known = evaluate(&step, &mut trial, &at, &mut out);
+    if is_known { out.system.rhs.iter().map(|f| -f).collect() } else { Arc::default() }
 }
 
 fn constrain(step: &Step, out: &mut Evaluation) {

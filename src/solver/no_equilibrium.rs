@@ -47,10 +47,8 @@ pub(super) fn interrupted(state: &State) -> Stop {
 }
 
 pub(super) fn reached(state: &State) -> String {
-    match state.travel > 0.0 {
-        true => format!("{} of travel", Amount::place(state.travel)),
-        false => Amount::time(state.time).to_string(),
-    }
+    let (travel, time) = (Amount::place(state.travel), Amount::time(state.time));
+    if state.travel > 0.0 { format!("{travel} of travel") } else { time.to_string() }
 }
 
 fn mechanism(step: &Step, evaluation: &Evaluation, worst: usize, steps: &[StepRecord]) -> Option<Stop> {

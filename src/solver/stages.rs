@@ -87,9 +87,7 @@ pub fn enter(stage: &Stage, before: &Model, mut state: State) -> State {
         turn_over(&mut state);
     }
     let pace = model.speed / before.speed;
-    for velocity in state.velocity.iter_mut().chain(&mut state.end_velocity) {
-        *velocity = velocity.map(|v| pace * v);
-    }
+    state.velocity.iter_mut().chain(&mut state.end_velocity).for_each(|node| *node = node.map(|v| pace * v));
     state.steady.fill(false);
     state.temperature_rates.fill([0.0; 2]);
     state.points.iter_mut().for_each(|point| point.equivalent_rate = 0.0);

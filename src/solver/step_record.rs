@@ -78,10 +78,9 @@ fn contact_share(converged: &Converged) -> f64 {
     let within = step.model.gas.iter().map(|gas| gas.within).reduce(f64::max).unwrap_or(f64::INFINITY);
     let seal = Seal::find(&step.state.nodes, within, step.model.geometry);
     let forming = [Role::Punch, Role::Die].map(|role| step.model.tool_index(role));
-    let lying = step.context.penalty.lying();
     // Distance from lying on the nearest tool, extrapolated from the contact points to the element's ends.
     let gaps = |i: usize| forming.into_iter().flatten().map(move |j| evaluation.contacts[(j, i)].gap);
-    let off = |i: usize| gaps(i).fold(f64::INFINITY, f64::min) - lying;
+    let off = |i: usize| gaps(i).fold(f64::INFINITY, f64::min) - step.context.penalty.lying();
     let ends = |e: usize| {
         let (a, b) = (off(STATIONS * e), off(STATIONS * e + 1));
         let (middle, half) = (0.5 * (a + b), 0.5 * (b - a) / step.stations()[1].xi);

@@ -215,7 +215,6 @@ fn closes(model: &Model, state: &State, pair @ [i, j]: [usize; 2]) -> Option<(f6
         state.tools[k] - Point::new(0.0, waiting_displacement(model, tool))
             + tool.motion.displacement(travel, model.travel)
     };
-    let limit = CLOSED * model.blank.thickness;
     let [a, b] = pair.map(|k| &model.tools[k].profile);
     let apart = |travel: f64| a.distance_to(b, moved(i, travel) - moved(j, travel));
     // Coarse search first: most punches never come close.
@@ -223,7 +222,7 @@ fn closes(model: &Model, state: &State, pair @ [i, j]: [usize; 2]) -> Option<(f6
     const LOOKS: usize = 8;
     let travel_of = |k: usize| model.travel * k as f64 / LOOKS as f64;
     let nears = |k: usize| apart(travel_of(k)).0 < apart(travel_of(k - 1)).0;
-    let hit = (1..=LOOKS).find(|&k| apart(travel_of(k)).0 < limit && nears(k))?;
+    let hit = (1..=LOOKS).find(|&k| apart(travel_of(k)).0 < CLOSED * model.blank.thickness && nears(k))?;
     let is_closed = |travel: f64| apart(travel).0 < end;
     let [_, high] = bisect(travel_of(hit - 1), travel_of(hit), 40, |travel| !is_closed(travel));
     (high < model.travel).then(|| (high, apart(high).1, pair))

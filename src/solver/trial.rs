@@ -93,9 +93,7 @@ impl Trial {
 
     pub fn advance(&mut self, context: &RunContext, share: f64) {
         for (u, d) in self.moves.iter_mut().zip(&self.line.direction) {
-            for k in 0..3 {
-                u[k] += share * d[k];
-            }
+            *u = [0, 1, 2].map(|k| u[k] + share * d[k]);
         }
         for (displacement, tool) in self.tools.iter_mut().zip(&context.tools) {
             if let Some(k) = tool.shared {

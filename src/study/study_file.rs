@@ -84,10 +84,11 @@ fn pairs(table: &Table, above: &str) -> Result<Vec<String>> {
     let mut all = Vec::new();
     for (name, value) in table {
         let key = format!("{above}{name}");
-        let help = "write \"4..10 mm/7\" or [0.04, 0.08]";
         match value {
             Value::Table(table) => all.extend(pairs(table, &format!("{key}."))?),
-            Value::Datetime(_) => return fail(format!("{key} gives no values"), help),
+            Value::Datetime(_) => {
+                return fail(format!("{key} gives no values"), "write \"4..10 mm/7\" or [0.04, 0.08]");
+            }
             Value::Array(values) => all.push(format!("{key}={}", joined(values.iter().map(plain), ", "))),
             value => all.push(format!("{key}={}", plain(value))),
         }

@@ -112,9 +112,7 @@ macro_rules! implement {
                         "type": "string", "description": note, "examples": examples, "x-quantity": Self::KIND.measured()
                     }),
                 };
-                for (keyword, bound) in Self::BOUNDS {
-                    schema.insert((*keyword).into(), (*bound).into());
-                }
+                Self::BOUNDS.iter().for_each(|(key, bound)| drop(schema.insert((*key).into(), (*bound).into())));
                 schema
             }
         }

@@ -86,10 +86,9 @@ const ELASTIC: i64 = 15;
 const RELEASED: i64 = 25;
 
 fn thickness_points(case: &CaseFile) -> (ThicknessRule, i64) {
-    let is_released = case.stages.iter().any(|stage| stage.release().is_some());
     let mut modes = case.stages.iter().map(|stage| stage.mode).chain([case.material.mode]).flatten();
     match case.geometry {
-        _ if is_released => (ThicknessRule::Lobatto, RELEASED),
+        _ if case.stages.iter().any(|stage| stage.release().is_some()) => (ThicknessRule::Lobatto, RELEASED),
         _ if modes.any(|mode| mode != Mode::Flow) => (ThicknessRule::Lobatto, ELASTIC),
         Geometry::PlaneStrain => (ThicknessRule::Parts, BENT),
         Geometry::Axisymmetric => (ThicknessRule::Parts, FLOWING),

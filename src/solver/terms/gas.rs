@@ -68,16 +68,14 @@ fn press_element(
 /// Adds the equations of controlled pressures, max(‖Δε̄‖/(target Δt) − 1, p/cap − 1) = 0, with Δε̄ of the mid-surface.
 pub fn hold_rate(step: &Step, trial: &Trial, out: &mut Evaluation) {
     let Step { context, model, state, dt, .. } = *step;
-    let criterion = &model.material.yield_criterion;
-    let cutoff = step.cutoff(trial.softening);
     for (k, gas) in model.gas.iter().enumerate() {
         let (Some(row), Pressure::Rate(control)) = (context.gas_shared[k], &gas.pressure) else { continue };
         let (q, wanted) = (control.exponent, control.target * dt);
         let total: f64 = state.volume.iter().sum();
         // In units of the target, so that large powers stay in range.
         let share = |e: &[f64; 2]| {
-            let Metric { gradient, square, .. } = criterion.metric([e[0], e[1], 0.0]);
-            let regular = square.sqrt().hypot(cutoff);
+            let Metric { gradient, square, .. } = model.material.yield_criterion.metric([e[0], e[1], 0.0]);
+            let regular = square.sqrt().hypot(step.cutoff(trial.softening));
             (regular / wanted, gradient.map(|a| a / (regular * wanted)))
         };
         let elements = out.membrane_increment.iter().zip(&state.volume);

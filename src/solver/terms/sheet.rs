@@ -34,9 +34,8 @@ pub fn add(step: &Step, trial: &mut Trial, at: &Linearisation, out: &mut Evaluat
     // The secant matrix asks for the least besides the stress.
     let matrix = if at.residual_alone { Iteration::Secant } else { at.matrix };
     let slack = (SLACK_TENSION * (at.velocity_norm / SLACK_NORM).min(1.0), f64::INFINITY);
-    let cutoff = step.cutoff(trial.softening);
     step.context.metals.iter().all(|metal| {
-        let law = metal.material.flow_law(matrix, cutoff, dt);
+        let law = metal.material.flow_law(matrix, step.cutoff(trial.softening), dt);
         let (points, iterates) = (&step.flow_points, &mut trial.iterates);
         add_elements(step, (&law, &metal.elements), points, iterates, (&trial.moves, slack), at, out)
     })

@@ -75,11 +75,8 @@ impl FlowCurve {
 
     fn new(csv: &Csv, name: &str, reduction: &Reduction) -> Result<Self> {
         let (rows, is_plastic) = rows(csv, name, reduction)?;
-        let offset = reduction.offset;
-        let line = match reduction.young {
-            young if is_plastic => young.map(|young| (young, 0.0)),
-            young => Some(elastic_line(&rows, name, young)?),
-        };
+        let (offset, young) = (reduction.offset, reduction.young);
+        let line = if is_plastic { young.map(|young| (young, 0.0)) } else { Some(elastic_line(&rows, name, young)?) };
         let elastic = |row: &FlowPoint| line.map_or(0.0, |(young, _)| row.stress / young);
         let toe = line.map_or(0.0, |(_, toe)| toe);
         // Plastic strain and engineering stress.

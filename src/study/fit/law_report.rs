@@ -25,9 +25,8 @@ impl LawFits {
         let mut notes: Vec<String> = self.tests.iter().map(|test| test.sentence.clone()).collect();
         let long = "The search begins with means of the rows. Parameters, errors and misfits are of all rows.";
         notes.extend((self.fitted().map(|test| test.points.len()).sum::<usize>() > MEANS).then(|| long.to_owned()));
-        let at_end = best.estimates.iter().filter(|e| e.bound.is_some());
         let poor = "is at the end of its range: the law does not suit these points.";
-        notes.extend(at_end.map(|e| format!("{} {poor}", e.key)));
+        notes.extend(best.estimates.iter().filter(|e| e.bound.is_some()).map(|e| format!("{} {poor}", e.key)));
         if let Some([r0, r45, r90]) = self.r_values() {
             let (mean, ears) = (0.25 * (r0 + 2.0 * r45 + r90), 0.5 * (r0 - 2.0 * r45 + r90));
             notes.push(format!("r̄ = (r0 + 2 r45 + r90)/4 = {mean:.3}, Δr = (r0 − 2 r45 + r90)/2 = {ears:.3}."));

@@ -15,10 +15,8 @@ const OUT_OF_LINE: f64 = 4.0;
 const MUCH: f64 = 0.05;
 
 fn estimate(direction: Direction, levels: &[f64]) -> Contribution {
-    let order = match levels {
-        [coarse, fine, finest] => Some(((coarse - fine) / (fine - finest)).log2()).filter(|p| p.is_finite()),
-        _ => None,
-    };
+    let observed = |levels: &[f64; 3]| ((levels[0] - levels[1]) / (levels[1] - levels[2])).log2();
+    let order = levels.try_into().ok().map(observed).filter(|p| p.is_finite());
     // Factors on the spread: 19 bars of 20 hold the truth of random dies.
     let safety = if direction == Direction::Elements { 3.0 } else { 2.0 };
     let believed = order.filter(|p| (0.5 * ORDER..=2.0 * ORDER).contains(p));
