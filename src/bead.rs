@@ -184,14 +184,11 @@ pub fn drawn(bead: &Round, at: f64, solved: &[StageSolution]) -> Result<Drawn, S
     let center = pull.model.blank.length - half - FLATS * t;
     let has_passed = |e: &usize| end.middle(*e) < center - half && end.nodes[*e][0] > center + half;
     let passed: Vec<f64> = (0..end.thickness.len()).filter(has_passed).map(|e| end.thickness[e]).collect();
-    Ok(Drawn {
-        at,
-        penetration: closing.model.travel,
-        closing: closing.steps.last().map_or(0.0, |step| step.holder_force / halves),
-        restraining: (last.work.external - first.work.external) / length,
-        uplift: uplift.sum::<f64>() / length,
-        thinning: 1.0 - passed.iter().sum::<f64>() / (t * passed.len() as f64),
-    })
+    let (restraining, uplift) = ((last.work.external - first.work.external) / length, uplift.sum::<f64>() / length);
+    let thinning = 1.0 - passed.iter().sum::<f64>() / (t * passed.len() as f64);
+    let penetration = closing.model.travel;
+    let closing = closing.steps.last().map_or(0.0, |step| step.holder_force / halves);
+    Ok(Drawn { at, penetration, closing, restraining, uplift, thinning })
 }
 
 /// Solves the strip of a bead of a case at `at` that is closed by `way` \[mm\], the same strip once.

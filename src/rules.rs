@@ -215,13 +215,10 @@ pub fn holder_pressure(usual: f64, ratio: f64, diameter: f64, [end, edge]: [f64;
     // A blank that ends on the shoulder is refused elsewhere.
     let level = if edge > end { force / (PI * (edge * edge - end * end)) } else { 0.0 };
     let hinge = "π a R_m t/16 over its area: a hinge R_m t²/4 at the shoulder's end a, held 8 t further out (declared)";
-    let rules = [
-        (usual, "usual for this metal: 2 to 2.5 for steel, 1.2 to 1.5 for aluminium (Tschätsch)"),
-        (siebel(ratio, diameter, t, strength), "0.0025 [(β − 1)² + 0.5 d/(100 t)] R_m: Siebel, after Kugler (2009)"),
-        (level, hinge),
-    ];
-    let [first, others @ ..] = rules;
-    let (pressure, rule) = others.into_iter().fold(first, |most, next| if next.0 > most.0 { next } else { most });
+    let usual = (usual, "usual for this metal: 2 to 2.5 for steel, 1.2 to 1.5 for aluminium (Tschätsch)");
+    let by_siebel = "0.0025 [(β − 1)² + 0.5 d/(100 t)] R_m: Siebel, after Kugler (2009)";
+    let others = [(siebel(ratio, diameter, t, strength), by_siebel), (level, hinge)];
+    let (pressure, rule) = others.into_iter().fold(usual, |most, next| if next.0 > most.0 { next } else { most });
     // Not rounded: the force is, upwards.
     Picked { value: pressure, why: format!("{pressure:.2} MPa on the flat of the flange, {rule}") }
 }

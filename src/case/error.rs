@@ -99,14 +99,9 @@ impl CaseError {
             (start..end.max(start)).into()
         });
         let shown = |text: &str| visible(text).into_owned();
-        let error = Self {
-            what: shown(&self.what),
-            label: shown(&self.label),
-            help: self.help.as_deref().map(shown),
-            source_code: Arc::new(NamedSource::new(shown(self.source_code.name()), shown(text))),
-            span,
-            ..self.clone()
-        };
+        let (what, label, help) = (shown(&self.what), shown(&self.label), self.help.as_deref().map(shown));
+        let source_code = Arc::new(NamedSource::new(shown(self.source_code.name()), shown(text)));
+        let error = Self { what, label, help, source_code, span, ..self.clone() };
         let theme = if colours { GraphicalTheme::unicode() } else { GraphicalTheme::unicode_nocolor() };
         let mut text = String::new();
         let handler = GraphicalReportHandler::new_themed(theme).with_width(100).with_links(false);

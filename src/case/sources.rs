@@ -35,13 +35,10 @@ pub struct Sheets {
 
 impl Sheets {
     pub(super) fn new(name: &str, own_hardening: bool, own: &file::Material, known: &file::Material) -> Option<Self> {
-        let anisotropy = if own_hardening { known.anisotropy } else { own.anisotropy };
-        (own_hardening != own.anisotropy.is_some()).then(|| Self {
-            library: name.to_owned(),
-            case: own.source.clone(),
-            own_hardening,
-            anisotropy: anisotropy.map_or(1.0, file::Anisotropy::mean),
-        })
+        let r_value = if own_hardening { known.anisotropy } else { own.anisotropy };
+        let anisotropy = r_value.map_or(1.0, file::Anisotropy::mean);
+        let (library, case) = (name.to_owned(), own.source.clone());
+        (own_hardening != own.anisotropy.is_some()).then_some(Self { library, case, own_hardening, anisotropy })
     }
 }
 

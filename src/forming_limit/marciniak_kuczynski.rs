@@ -122,8 +122,7 @@ impl MarciniakKuczynski {
         };
         let apart = Self::STEEPEST / Self::ANGLES as f64;
         let mut best = (f64::INFINITY, 0.0);
-        for i in 0..=Self::ANGLES {
-            let angle = apart * i as f64;
+        for angle in (0..=Self::ANGLES).map(|i| apart * i as f64) {
             let strain = at(angle)?;
             best = if strain < best.0 { (strain, angle) } else { best };
         }

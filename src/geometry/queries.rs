@@ -62,11 +62,9 @@ impl Profile {
 
     /// Inner vertices in order, smooth ones included.
     pub fn vertices(&self) -> impl Iterator<Item = Vertex> {
-        self.pieces.windows(2).enumerate().map(|(after, pair)| Vertex {
-            point: pair[0].last(),
-            after,
-            turn: turn(pair[0].tangent(true), pair[1].tangent(false)),
-        })
+        let turned = |pair: &[Piece]| turn(pair[0].tangent(true), pair[1].tangent(false));
+        let pairs = self.pieces.windows(2).enumerate();
+        pairs.map(move |(after, pair)| Vertex { point: pair[0].last(), after, turn: turned(pair) })
     }
 
     /// Smallest r of the chain \[mm\].

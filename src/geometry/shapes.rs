@@ -234,10 +234,8 @@ impl Profile {
     /// Flat blank holder from `inner` radius \[mm\] outward.
     pub fn holder(inner: f64, sheet_thickness: f64) -> Self {
         let face = -0.5 * sheet_thickness;
-        Self::connected([
-            line((inner, face - REACH * inner), (inner, face)),
-            line((inner, face), (inner + REACH * inner, face)),
-        ])
+        let (low, edge, end) = ((inner, face - REACH * inner), (inner, face), (inner + REACH * inner, face));
+        Self::connected([line(low, edge), line(edge, end)])
     }
 
     /// Profile whose endless walls are cut `margin` beyond a box, by its lower and upper corner \[mm\].

@@ -176,10 +176,8 @@ impl PointLaw for ElastoplasticLaw<'_> {
     fn snapshot(&self, point: &Carried, trial: &Trial, update: &StressUpdate) -> PointSnapshot {
         let elastic = times(self.operators.stiffness, trial.strain);
         let tangent = self.respond(point, &mut trial.clone(), trial.strain, [0.0; 2]).1;
-        PointSnapshot {
-            trial_stress: Some(each(|j| point.stress[j] + elastic[j])),
-            ..update.snapshot(trial.strain, point.strain, &tangent)
-        }
+        let trial_stress = Some(each(|j| point.stress[j] + elastic[j]));
+        PointSnapshot { trial_stress, ..update.snapshot(trial.strain, point.strain, &tangent) }
     }
 }
 

@@ -128,11 +128,9 @@ impl PointLaw for FlowLaw<'_> {
     }
 
     fn snapshot(&self, point: &PointState, iterate: &Iterate, update: &StressUpdate) -> PointSnapshot {
-        PointSnapshot {
-            equivalent_increment: iterate.metric.square.sqrt(),
-            viscosity: Some(iterate.fluidity * self.duration / 3.0),
-            ..update.snapshot(iterate.strain, point.strain, &iterate.tangent(self, point))
-        }
+        let snapshot = update.snapshot(iterate.strain, point.strain, &iterate.tangent(self, point));
+        let viscosity = Some(iterate.fluidity * self.duration / 3.0);
+        PointSnapshot { equivalent_increment: iterate.metric.square.sqrt(), viscosity, ..snapshot }
     }
 }
 

@@ -10,8 +10,8 @@ use std::f64::consts::TAU;
 
 const CHORDS: usize = 1000;
 
-/// The sheet before forming.
-#[derive(Clone, Debug, PartialEq)]
+/// The sheet before forming; of no size by default.
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Blank {
     /// Radius, or half-length in plane strain; of a sheet that is not flat the length of its meridian \[mm\].
     pub length: f64,
@@ -96,22 +96,7 @@ pub enum ThicknessRule {
 impl Blank {
     /// Free blank of 100 graded elements that bend, with 5 thickness points; `length` is the radius or half-length \[mm\].
     pub fn new(length: f64, thickness: f64) -> Self {
-        Self {
-            length,
-            hole: 0.0,
-            meridian: None,
-            preform: None,
-            zones: Vec::new(),
-            inner_edge: Edge::Free,
-            edge_limit: None,
-            thickness,
-            elements: 100,
-            grading: Grading::Radii,
-            theory: Theory::Bending,
-            layers: 5,
-            rule: ThicknessRule::Parts,
-            edge: Edge::Free,
-        }
+        Self { length, thickness, elements: 100, layers: 5, ..Self::default() }
     }
 
     /// Distances of both ends from the axis or symmetry plane; of a sheet that is not flat along it from the first end on \[mm\].

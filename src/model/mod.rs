@@ -201,9 +201,8 @@ impl Model {
 
     /// Gas whose pressure holds a strain rate.
     pub fn held_gas(&self) -> Option<(&Gas, &RateControl)> {
-        self.gas
-            .iter()
-            .find_map(|gas| if let Pressure::Rate(control) = &gas.pressure { Some((gas, control)) } else { None })
+        let mut all = self.gas.iter();
+        all.find_map(|gas| if let Pressure::Rate(control) = &gas.pressure { Some((gas, control)) } else { None })
     }
 
     /// Punch travel \[mm\] at a time of the run \[s\].

@@ -52,14 +52,12 @@ impl System {
 
     /// Zeroes everything; unused shared unknowns keep a one on their diagonal.
     pub fn clear(&mut self) {
-        for i in 0..self.rhs.len() {
-            self.lower[i] = Matrix3::zeros();
-            self.diagonal[i] = Matrix3::zeros();
-            self.upper[i] = Matrix3::zeros();
-            self.rhs[i] = Vector3::zeros();
-            self.columns[i][..self.shared].fill(Vector3::zeros());
-            self.rows[i][..self.shared].fill(Vector3::zeros());
+        for blocks in [&mut self.lower, &mut self.diagonal, &mut self.upper] {
+            blocks.fill(Matrix3::zeros());
         }
+        self.rhs.fill(Vector3::zeros());
+        let borders = self.columns.iter_mut().chain(&mut self.rows);
+        borders.for_each(|node| node[..self.shared].fill(Vector3::zeros()));
         self.corner = Corner::from_diagonal(&Shared::from_fn(|k, _| if k < self.shared { 0.0 } else { 1.0 }));
         self.corner_rhs = Shared::zeros();
     }
@@ -108,9 +106,7 @@ impl System {
             let Some(inverse) = self.diagonal[i].try_inverse() else { return false };
             self.upper[i] = inverse * self.upper[i];
             self.rhs[i] = inverse * self.rhs[i];
-            for k in 0..self.shared {
-                self.columns[i][k] = inverse * self.columns[i][k];
-            }
+            self.columns[i][..self.shared].iter_mut().for_each(|column| *column = inverse * *column);
         }
         for i in (0..n - 1).rev() {
             let u = self.upper[i];

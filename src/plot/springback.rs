@@ -18,10 +18,8 @@ pub fn plot(view: &StageView) -> Option<Chart> {
     let mut outline = sections::whole_sheet(after, 1.0);
     outline.extend(outline.first().copied());
     let filled = Style::Area { fill: pale(color(0)), edge: Some(color(0)) };
-    let sheets = [
-        Series::new("Before", sections::whole_sheet(before, 1.0), filled),
-        Series::new("After", outline, Style::solid(color(1), 2.0)),
-    ];
+    let sheet = Series::new("Before", sections::whole_sheet(before, 1.0), filled);
+    let sheets = [sheet, Series::new("After", outline, Style::solid(color(1), 2.0))];
     let legs: [fn(&Shape) -> Option<&Leg>; 2] = [|shape| shape.wall.as_ref(), |shape| shape.flange.as_ref()];
     let mut lines = Vec::new();
     for ((angle, style), leg) in [(WALL_ANGLE, WALL), (FLANGE_ANGLE, FLANGE)].into_iter().zip(legs) {

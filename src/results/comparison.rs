@@ -281,13 +281,9 @@ pub struct Computed<'a> {
 impl<'a> Computed<'a> {
     /// Values of a solved stage.
     pub fn of(stage: &'a StageSolution) -> Self {
-        Self {
-            steps: &stage.steps,
-            elements: stage.frames.last().map_or(&[], |frame| &frame.elements),
-            paths: Some(&stage.paths),
-            complete: stage.stop.is_complete(),
-            ..Self::nothing(&stage.model)
-        }
+        let elements = stage.frames.last().map_or(&[][..], |frame| &frame.elements);
+        let (steps, paths, complete) = (&stage.steps[..], Some(&stage.paths), stage.stop.is_complete());
+        Self { steps, elements, paths, complete, ..Self::nothing(&stage.model) }
     }
 
     /// No values, to check references before anything is solved.

@@ -33,11 +33,8 @@ pub(super) struct Course {
 
 impl Course {
     pub fn new(model: &Model, state: State) -> Self {
-        let solution = StageSolution {
-            start: Some(state.frame(model)),
-            paths: state.paths(model),
-            ..StageSolution::unsolved(model.clone(), Stop::full_travel())
-        };
+        let unsolved = StageSolution::unsolved(model.clone(), Stop::full_travel());
+        let solution = StageSolution { start: Some(state.frame(model)), paths: state.paths(model), ..unsolved };
         let last = StepRecord { thinnest: model.blank.thickness, ..StepRecord::default() };
         let now = Checkpoint { last, termination: Termination::new(model, &state), effort: Effort::default(), state };
         Self { behind: [now.clone(), now.clone()], now, solution, has_ended: false, is_lost: false }

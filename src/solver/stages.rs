@@ -68,10 +68,9 @@ fn begin(stage: &Stage, before: &StageSolution) -> (Model, State, Option<Trimmed
     }
     model.blank.elements = state.thickness.len();
     model.blank.length = state.s0[state.s0.len() - 1];
-    let trimmed = stage.begin.trim.map(|asked| Trimmed {
-        asked,
-        edge: state.nodes[state.nodes.len() - 1][0],
-        elements: before.model.blank.elements - model.blank.elements,
+    let trimmed = stage.begin.trim.map(|asked| {
+        let (edge, left) = (state.nodes[state.nodes.len() - 1][0], model.blank.elements);
+        Trimmed { asked, edge, elements: before.model.blank.elements - left }
     });
     (model, state, trimmed)
 }

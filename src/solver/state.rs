@@ -110,11 +110,8 @@ impl State {
         let area = |w: &[Node]| Reference::new(model.geometry, model.blank.theory, w[0], w[1]).area();
         let volume = nodes.windows(2).zip(&thickness).map(|(w, t)| t * area(w)).collect();
         let strains = |s: &f64| model.blank.strains_at(*s);
-        let point = |strain: f64| MaterialPoint {
-            strain,
-            porosity: model.material.gtn.map_or(0.0, |voids| voids.initial),
-            ..MaterialPoint::default()
-        };
+        let porosity = model.material.gtn.map_or(0.0, |voids| voids.initial);
+        let point = |strain: f64| MaterialPoint { strain, porosity, ..MaterialPoint::default() };
         let points = middles.iter().flat_map(|s| std::iter::repeat_n(point(strains(s)[2]), model.blank.layers));
         let temperature = |r: f64| model.heat.as_ref().map_or(ROOM_TEMPERATURE, |heat| heat.initial.at(r));
         let speed = |tool: &Tool| if tool.motion == Motion::Travel { model.speed } else { 0.0 };

@@ -31,7 +31,7 @@ struct Throat {
     end: f64,
 }
 
-#[derive(Clone)]
+#[derive(Clone, Default)]
 pub(super) struct Termination {
     /// Time since which a neck has taken over \[s\].
     necking_since: Option<f64>,
@@ -58,9 +58,7 @@ impl Termination {
             Throat { die, radius, face: lowest(f64::INFINITY), end: lowest(radius + ROUND_OFF * model.blank.thickness) }
         });
         let throat = throat.filter(|throat| model.blank.edge == Edge::Free && edge > throat.radius);
-        let (necking_since, fading_since, neck) = (None, None, None);
-        let (peak, rate_at_peak, closed) = (0.0, 0.0, closed(model, state));
-        Self { necking_since, fading_since, peak, rate_at_peak, throat, closed, neck, excess: -1.0 }
+        Self { throat, closed: closed(model, state), excess: -1.0, ..Self::default() }
     }
 
     /// End of a run whose steps fail while a neck takes over.

@@ -114,13 +114,10 @@ impl SideBySide {
     /// Headline, table and charts.
     pub fn report(&self) -> StudyReport {
         let charts = self.charts().into_iter().map(|(name, _, chart)| (name.to_owned(), chart));
-        StudyReport {
-            headline: format!("{} runs side by side.", self.members.len()),
-            notes: self.legend().into_iter().chain([Self::DIFFERENCES.to_owned()]).collect(),
-            tables: vec![ReportTable { printed: Some(Box::new(self.overview())), ..self.table() }],
-            found: true,
-            charts: charts.collect(),
-        }
+        let headline = format!("{} runs side by side.", self.members.len());
+        let notes = self.legend().into_iter().chain([Self::DIFFERENCES.to_owned()]).collect();
+        let tables = vec![ReportTable { printed: Some(Box::new(self.overview())), ..self.table() }];
+        StudyReport { headline, notes, tables, found: true, charts: charts.collect() }
     }
 
     /// Every number of every run with its difference from the first, and the misfit of every curve.

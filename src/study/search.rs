@@ -242,13 +242,9 @@ impl Study for LimitSearch {
 
     fn report(&self, runs: &RunTable) -> StudyReport {
         let (found, best, _) = self.result(runs);
-        StudyReport {
-            headline: self.headline(runs),
-            notes: self.notes(runs),
-            tables: Vec::new(),
-            found: best.is_some() && !matches!(found, Bracket::Open(_)),
-            charts: self.charts(runs, best),
-        }
+        let found = best.is_some() && !matches!(found, Bracket::Open(_));
+        let (headline, notes, charts) = (self.headline(runs), self.notes(runs), self.charts(runs, best));
+        StudyReport { headline, notes, tables: Vec::new(), found, charts }
     }
 }
 

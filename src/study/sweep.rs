@@ -198,12 +198,9 @@ impl Study for Sweep {
             true => (vec![self.sensitivity_table(runs)], charts::tornado(self, runs)),
             false => (Vec::new(), charts::sweep(self, runs)),
         };
-        StudyReport {
-            headline: format!("{} designs: {sound} sound{doubt}{}.", designs.len(), failed.collect::<String>()),
-            notes: self.notes(runs).into_iter().chain(runs.no_result()).collect(),
-            tables,
-            found: runs.no_result().is_none(),
-            charts: if runs.runs.len() <= DRAWN { charts } else { Vec::new() },
-        }
+        let charts = if runs.runs.len() <= DRAWN { charts } else { Vec::new() };
+        let headline = format!("{} designs: {sound} sound{doubt}{}.", designs.len(), failed.collect::<String>());
+        let notes = self.notes(runs).into_iter().chain(runs.no_result()).collect();
+        StudyReport { headline, notes, tables, found: runs.no_result().is_none(), charts }
     }
 }

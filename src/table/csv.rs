@@ -118,9 +118,8 @@ impl Record {
             return refused(None, format!("{name} is no table of numbers: its first line names no columns"), example);
         }
         let is_separated = |(c, _): &(char, _)| self.fields.iter().any(|field| field.contains(*c));
-        let Some((_, separator)) = [(';', "semicolons"), ('\t', "tabs")].into_iter().find(is_separated) else {
-            return Ok(());
-        };
+        let mut separators = [(';', "semicolons"), ('\t', "tabs")].into_iter();
+        let Some((_, separator)) = separators.find(is_separated) else { return Ok(()) };
         let help = format!("separate columns by commas and write decimals with a point; {example}");
         refused(self.line, format!("the columns are separated by {separator}"), &help)
     }

@@ -116,11 +116,8 @@ pub struct Finished {
 /// `80 mm high, Ø 50 mm inside`; empty if nothing is given.
 impl fmt::Display for Finished {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let sizes = [
-            (self.height, "", "high"),
-            (self.diameter, "Ø ", "inside"),
-            (self.flange_diameter, "Ø ", "over the flange"),
-        ];
+        let Self { height, diameter, flange_diameter } = *self;
+        let sizes = [(height, "", "high"), (diameter, "Ø ", "inside"), (flange_diameter, "Ø ", "over the flange")];
         let all = sizes.into_iter().filter_map(|(size, sign, of)| Some(format!("{sign}{} {of}", Amount::size(size?))));
         f.write_str(&joined(all, ", "))
     }

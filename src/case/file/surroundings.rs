@@ -114,12 +114,9 @@ impl Heat {
             let (temperature, transfer) = (temperature.value(), transfer.value());
             exchanging.push(model::ToolHeat { role, temperature, transfer });
         }
-        Ok(Some(HeatFlow {
-            capacity,
-            plastic_share: self.plastic_share.map_or(PLASTIC_SHARE, Dimensioned::value),
-            conductivity: self.conductivity.map_or(0.0, Dimensioned::value),
-            tools: exchanging,
-        }))
+        let plastic_share = self.plastic_share.map_or(PLASTIC_SHARE, Dimensioned::value);
+        let conductivity = self.conductivity.map_or(0.0, Dimensioned::value);
+        Ok(Some(HeatFlow { capacity, plastic_share, conductivity, tools: exchanging }))
     }
 }
 

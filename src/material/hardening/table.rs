@@ -149,10 +149,8 @@ impl Monotone {
         let (sa, sb) = (h * self.slope[a], h * self.slope[b]);
         // Hermite cubic y = y_a + s_a x + c x² + d x³ on the unit interval.
         let (c, d) = (3.0 * rise - 2.0 * sa - sb, sa + sb - 2.0 * rise);
-        FlowStress {
-            stress: self.stress[a] + x * (sa + x * (c + x * d)),
-            slope: (sa + x * (2.0 * c + 3.0 * d * x)) / h,
-        }
+        let stress = self.stress[a] + x * (sa + x * (c + x * d));
+        FlowStress { stress, slope: (sa + x * (2.0 * c + 3.0 * d * x)) / h }
     }
 }
 

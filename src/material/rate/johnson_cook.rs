@@ -23,9 +23,7 @@ impl RateLaw for JohnsonCook {
     fn at(&self, rate: f64) -> ValueAndSlope {
         let x = rate / self.reference;
         let square = x * x;
-        ValueAndSlope {
-            value: 1.0 + 0.5 * self.coefficient * square.ln_1p(),
-            slope: self.coefficient * x / ((1.0 + square) * self.reference),
-        }
+        let value = 1.0 + 0.5 * self.coefficient * square.ln_1p();
+        ValueAndSlope { value, slope: self.coefficient * x / ((1.0 + square) * self.reference) }
     }
 }

@@ -257,13 +257,10 @@ fn as_begun(run: &StageSolution) -> StepRecord {
     let blank = &run.model.blank;
     let (elements, nodes) = run.start.as_ref().map_or((&[][..], &[][..]), |start| (&start.elements, &start.nodes));
     let thinnest = elements.iter().min_by(|a, b| a.thickness.total_cmp(&b.thickness));
-    StepRecord {
-        thinnest: thinnest.map_or(blank.thickness, |element| element.thickness),
-        thinnest_s0: thinnest.map_or(0.0, |element| element.s0),
-        draw_in: nodes.last().map_or(0.0, |node| blank.edge_radius() - node.r),
-        pole_height: nodes.first().map_or(0.0, |node| node.z),
-        ..StepRecord::default()
-    }
+    let (thinnest, thinnest_s0) = thinnest.map_or((blank.thickness, 0.0), |element| (element.thickness, element.s0));
+    let draw_in = nodes.last().map_or(0.0, |node| blank.edge_radius() - node.r);
+    let pole_height = nodes.first().map_or(0.0, |node| node.z);
+    StepRecord { thinnest, thinnest_s0, draw_in, pole_height, ..StepRecord::default() }
 }
 
 fn mesh(model: &Model) -> String {

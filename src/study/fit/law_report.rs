@@ -41,13 +41,9 @@ impl LawFits {
         let columns = ["Direction", "Tests", "Stress ratio", "r", "Error of r"];
         let directions = ReportTable::new("directions", &columns, self.directions.iter().map(direction));
         let tables = [laws, table(estimates), directions].into_iter().filter(|table| !table.rows.is_empty());
-        StudyReport {
-            headline: format!("{} fits best ({} r.m.s.){clearly}.", best.kind.label(), rms(best.rms, 2)),
-            notes,
-            tables: tables.collect(),
-            found: true,
-            charts: vec![("fit".to_owned(), self.chart())],
-        }
+        let headline = format!("{} fits best ({} r.m.s.){clearly}.", best.kind.label(), rms(best.rms, 2));
+        let charts = vec![("fit".to_owned(), self.chart())];
+        StudyReport { headline, notes, tables: tables.collect(), found: true, charts }
     }
 
     fn chart(&self) -> Chart {

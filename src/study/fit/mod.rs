@@ -40,12 +40,11 @@ fn estimates<'a>(
     names: impl Iterator<Item = (&'a str, &'a str)>, parameters: &[Parameter], minimum: &Minimum, is_weighted: bool,
 ) -> Vec<Estimate> {
     let covariance = minimum.covariance(minimum.variance().max(f64::from(is_weighted)));
-    let one = |(j, (key, unit)): (usize, (&str, &str))| Estimate {
-        key: key.to_owned(),
-        unit: unit.to_owned(),
-        value: minimum.values[j],
-        error: covariance.as_ref().filter(|_| minimum.free[j]).map(|c| c[(j, j)].sqrt()),
-        bound: (!minimum.free[j] && parameters[j].low < parameters[j].high).then_some(minimum.values[j]),
+    let one = |(j, (key, unit)): (usize, (&str, &str))| {
+        let (value, is_free) = (minimum.values[j], minimum.free[j]);
+        let error = covariance.as_ref().filter(|_| is_free).map(|c| c[(j, j)].sqrt());
+        let bound = (!is_free && parameters[j].low < parameters[j].high).then_some(value);
+        Estimate { key: key.to_owned(), unit: unit.to_owned(), value, error, bound }
     };
     names.enumerate().map(one).collect()
 }

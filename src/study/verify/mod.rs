@@ -108,13 +108,8 @@ pub fn verify(solution: &Solution, watch: &dyn Watch) -> Verification {
     notes.extend(otherwise().map(|run| {
         format!("with {} the run ends otherwise: {}; as it is: {}", run.refinement(), run.end.why, base.end.why)
     }));
-    let bars = ErrorBars {
-        numbers: numbers.collect(),
-        notes,
-        runs: refined.len(),
-        finer_that_differs: otherwise().next().map(Outcome::refinement),
-        why: base.end.why.clone(),
-    };
+    let (runs, finer_that_differs) = (refined.len(), otherwise().next().map(Outcome::refinement));
+    let bars = ErrorBars { numbers: numbers.collect(), notes, runs, finer_that_differs, why: base.end.why.clone() };
     Verification { bars, outcomes: [vec![base], refined].concat() }
 }
 

@@ -64,13 +64,10 @@ impl Outcome {
     pub fn with_findings(solution: &Solution, findings: &[Finding]) -> Self {
         let Solution { case, stages, .. } = solution;
         let stop = stages.last().map(|stage| &stage.stop);
-        let end = End {
-            stages: stages.len(),
-            kind: stop.map_or("full travel", |stop| stop.kind.name()),
-            why: stop.map_or_else(String::new, ToString::to_string),
-            complete: stages.len() == case.stages.len() && stop.is_none_or(Stop::is_complete),
-            lost: stop.is_some_and(|stop| !stop.is_complete() && !stop.is_physical()),
-        };
+        let (kind, why) = stop.map_or(("full travel", String::new()), |stop| (stop.kind.name(), stop.to_string()));
+        let complete = stages.len() == case.stages.len() && stop.is_none_or(Stop::is_complete);
+        let lost = stop.is_some_and(|stop| !stop.is_complete() && !stop.is_physical());
+        let end = End { stages: stages.len(), kind, why, complete, lost };
         let load = largest_force(stages).map_or(&[][..], |(i, ..)| &stages[i].steps);
         let frame = stages.last().and_then(|stage| stage.frames.last());
         let elements = frame.into_iter().flat_map(|frame| &frame.elements);
