@@ -21,7 +21,8 @@ use crate::solver::{Observer, solution::StageSolution, solve};
 use file::CaseFile;
 use files::{Disk, Files, Folder, too_large};
 use source::Source;
-use std::{collections::BTreeMap, io, path::Path, path::PathBuf, time::Duration};
+use std::time::Duration;
+use std::{collections::BTreeMap, io, path::Path, path::PathBuf};
 
 type Result<T, E = CaseError> = std::result::Result<T, E>;
 

@@ -7,7 +7,8 @@ use crate::forming_limit::{Assessment, assess};
 use crate::measure::Ring;
 use crate::model::tool_sizes::extent;
 use crate::solver::solution::StopKind;
-use std::{sync::OnceLock, time::Duration};
+use std::sync::OnceLock;
+use std::time::Duration;
 
 /// Share of an axis of the least span below which a curve looks level \[–\].
 const LEVEL: f64 = 0.1;
