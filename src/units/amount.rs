@@ -157,22 +157,21 @@ fn text((number, unit): (String, &str)) -> String {
     number + if matches!(unit, "" | "°") { "" } else { " " } + unit
 }
 
-/// Number and bar with as many decimals: one digit of the bar, or two if the first is 1, rounded up.
+/// Number, with two places of the larger of both, and bar, rounded up to its first digit, two if that is 1: 75 ± 50, 250 ± 300.
 fn with_bar(value: f64, bar: f64, most: i32) -> String {
     let first = if bar > 0.0 { -bar.log10().floor() as i32 } else { most };
     let decimals = most.min(first + i32::from(format!("{bar:e}").starts_with('1')));
-    let place = 10f64.powi(-decimals);
-    let write = |places: f64| unsigned_zero(&format!("{:.*}", decimals.max(0) as usize, places * place));
-    format!("{} ± {}", write((value / place).round()), write((bar / place - 0.05).ceil().max(1.0)))
+    let write = |scaled: f64, n: i32| unsigned_zero(&format!("{:.*}", n.max(0) as usize, scaled * 10f64.powi(-n)));
+    let own = decimals.max(most.min(1 - magnitude(value.abs().max(bar), 2)));
+    let bar = (bar * 10f64.powi(decimals) - 0.05).ceil().max(1.0);
+    format!("{} ± {}", write((value * 10f64.powi(own)).round(), own), write(bar, decimals))
 }
 
 /// The power of ten of a number once it is rounded to so many digits: 9.996 is 10.0.
 fn magnitude(value: f64, digits: usize) -> i32 {
-    let rounded = format!("{value:.*e}", digits.max(1) - 1);
-    rounded.split_once('e').and_then(|(_, power)| power.parse().ok()).unwrap_or(0)
+    format!("{value:.*e}", digits.max(1) - 1).split_once('e').and_then(|(_, power)| power.parse().ok()).unwrap_or(0)
 }
 
 fn unsigned_zero(number: &str) -> String {
-    let is_zero = number.bytes().all(|b| matches!(b, b'-' | b'0' | b'.'));
-    if is_zero { number.replace('-', "") } else { number.to_owned() }
+    if number.bytes().all(|b| matches!(b, b'-' | b'0' | b'.')) { number.replace('-', "") } else { number.to_owned() }
 }

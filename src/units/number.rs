@@ -57,8 +57,7 @@ pub fn closest<'a>(word: &str, known: impl Iterator<Item = &'a str>) -> Vec<&'a 
     let length = word.chars().count();
     let allowed = 2 + 2 * usize::from(length > 2) + 2 * usize::from(length > 5);
     let half_edits = |other: &str| {
-        let in_lower_case = strsim::levenshtein(&word.to_ascii_lowercase(), &other.to_ascii_lowercase());
-        strsim::levenshtein(&word, other) + in_lower_case
+        strsim::levenshtein(&word, other) + strsim::levenshtein(&word.to_ascii_lowercase(), &other.to_ascii_lowercase())
     };
     let mut near: Vec<_> = known.map(|known| (half_edits(known), known)).collect();
     near.retain(|(d, known)| *d <= allowed && *d < 2 * known.chars().count());
