@@ -3,6 +3,7 @@
 //! ```text
 //! PUNCH DIE HOLDER   tools where they stand at the end of their stage, with the names that import reads
 //! SHEET MIDLINE      faces and middle of the formed sheet
+//! BEAD               beads by their section, and their grooves
 //! BLANK TRIM AXIS    flat blank, place of a cut, axis or symmetry plane
 //! ```
 //!
@@ -13,11 +14,12 @@
 
 mod dxf;
 
+use crate::bead::shapes;
 use crate::case::{Finished, Solution};
-use crate::geometry::{Bounds, Point};
+use crate::geometry::{Bounds, Piece, Point};
 use crate::import::{DrawingUnit, FINISHED, RELEASED, SIZES, STRIP};
 use crate::measure::wall_at;
-use crate::model::{Geometry, Stage, Tool};
+use crate::model::{Geometry, Model, Role, Stage, Tool};
 use crate::plot::drawing::{Layer, extent, layers_csv, true_size_svg};
 use crate::plot::sections::{flat, tool_displacement};
 use crate::solver::solution::{Frame, StageSolution};
@@ -73,6 +75,7 @@ impl Drawing {
             let solved = solution.stages.get(i);
             if !stage.model.tools.iter().all(stood) {
                 stage.model.tools.iter().enumerate().for_each(|tool| drawing.tool(&prefix, tool, stage, solved));
+                drawing.beads(&prefix, &stage.model, solved);
             }
             let end = solved.and_then(|solved| solved.frames.last());
             let label = (stage.model.release.is_some() && i + 1 == stages.len()).then_some(RELEASED);
@@ -119,8 +122,18 @@ impl Drawing {
         let profile = tool.profile.cut_to([around.low, around.high], MARGIN * (around.high - around.low).max());
         let profile = profile.shifted(frames().last().map_or(0.0, up));
         let color = COLORS[tool.role.index().min(COLORS.len() - 1)];
-        let name = format!("{prefix}{}", stage.model.name_of(tool.role).to_uppercase());
+        let name = tool.role.further().map_or(tool.role.name(), |_| stage.model.name_of(tool.role));
+        let name = format!("{prefix}{}", name.to_uppercase());
         self.layers.push(Layer::of_pieces(name, color, profile.pieces().to_vec()));
+    }
+
+    fn beads(&mut self, prefix: &str, model: &Model, solved: Option<&StageSolution>) {
+        let end = solved.and_then(|solved| solved.start.iter().chain(&solved.frames).last());
+        let moved = |role| end.zip(model.tool_index(role)).map_or(0.0, |(at, tool)| tool_displacement(at, tool).y);
+        let moved = [moved(Role::Die), moved(Role::Holder)];
+        let shapes = shapes(model).flat_map(|beads| beads.into_iter().zip(moved)).map(|(bead, by)| bead.shifted(by));
+        let pieces: Vec<Piece> = shapes.flat_map(|bead| bead.pieces().to_vec()).collect();
+        self.layers.extend((!pieces.is_empty()).then(|| Layer::of_pieces(format!("{prefix}BEAD"), COLORS[2], pieces)));
     }
 
     fn trim(&mut self, prefix: &str, r: f64, solved: Option<&StageSolution>) {

@@ -165,9 +165,8 @@ fn gap(lines: &[Chain], tool: ToolId, frame: &Frame) -> ImportError {
         [(line, chain.first(), chain.source(0)), (line, chain.last(), chain.source(chain.pieces.len() - 1))]
     };
     let ends: Vec<_> = (0..lines.len()).flat_map(ends).collect();
-    let pairs =
-        ends.iter().flat_map(|b| ends.iter().filter(move |a| a.0 < b.0).map(move |a| ((b.1 - a.1).norm(), a, b)));
-    let closest = pairs.min_by(|a, b| a.0.total_cmp(&b.0)).expect("there is more than one line");
+    let all = ends.iter().flat_map(|b| ends.iter().filter(move |a| a.0 < b.0).map(move |a| ((b.1 - a.1).norm(), a, b)));
+    let closest = all.min_by(|a, b| a.0.total_cmp(&b.0)).expect("there is more than one line");
     let (distance, (_, a, from_a), (_, b, from_b)) = closest;
     let (a, b, size) = (frame.place(*a), frame.place(*b), significant(distance, 4));
     let what = format!("the {tool}'s line has a gap of {size} mm: {from_a} ends at {a} and {from_b} at {b}");

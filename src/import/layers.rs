@@ -4,7 +4,7 @@ use super::{ImportError, Result, blocks::Placed, dxf::cut, ensure, frame::Frame,
 use crate::model::{Role, operation_in};
 use std::{collections::BTreeMap, collections::BTreeSet, fmt};
 
-const EXPORTED: [&str; 5] = ["blank", "sheet", "midline", "trim", "axis"];
+const EXPORTED: [&str; 6] = ["blank", "sheet", "midline", "trim", "axis", "bead"];
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct ToolId {

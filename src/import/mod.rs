@@ -218,8 +218,7 @@ pub fn line(bytes: &[u8], layer: Option<&str>, role: Role) -> Result<Profile> {
     let help = "draw one open line of lines, arcs and splines, with its unit in the drawing's header, or name its layer: \
                 { file = \"die.dxf\", layer = \"DIE\" }";
     only_line(bytes, layer, role).map_err(|ImportError { what, line, .. }| {
-        let line = line.map_or_else(String::new, |line| format!("line {line}: "));
-        ImportError::new(line + &what, help)
+        ImportError::new(line.map_or_else(String::new, |line| format!("line {line}: ")) + &what, help)
     })
 }
 

@@ -42,8 +42,7 @@ fn load(view: &StageView, time: f64) -> Option<Panel> {
     let acts = panel.series.iter().flat_map(|series| &series.points).any(|point| point.1 != 0.0);
     let steps = view.stage.steps.iter().take_while(|step| step.time <= time).count();
     let faint = |series: &Series| Series::silent(series.points.clone(), series.style.faint());
-    let whole: Vec<Series> = panel.series.iter().map(faint).collect();
     panel.series.iter_mut().for_each(|series| series.points.truncate(steps));
-    panel.series.splice(..0, whole);
+    panel.series.splice(..0, panel.series.iter().map(faint).collect::<Vec<_>>());
     acts.then_some(panel)
 }

@@ -80,9 +80,8 @@ pub(crate) fn true_size_svg(layers: &[Layer]) -> String {
     );
     for Layer { name, color: (_, color), pieces, label, .. } in layers {
         let _ = writeln!(text, "<g id=\"{name}\" fill=\"none\" stroke=\"{color}\" stroke-width=\"{LINE}\">");
-        let first = pieces.first().map_or_else(Point::zeros, Piece::first);
-        let path: String = pieces.iter().map(along).collect();
-        let _ = writeln!(text, "<path d=\"M{}{path}\"/>", place(first));
+        let path: String = pieces.iter().map(|piece| format!("M{}{}", place(piece.first()), along(piece))).collect();
+        let _ = writeln!(text, "<path d=\"{path}\"/>");
         if let Some((at, label)) = label {
             let ([x, y], size) = ([at.x, -at.y].map(coordinate), coordinate(LABEL * width));
             let style = format!("font-family=\"sans-serif\" fill=\"{color}\" stroke=\"none\"");

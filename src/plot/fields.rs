@@ -8,8 +8,7 @@ use crate::units::ZERO_CELSIUS;
 macro_rules! fields {
     ($record:ident: $($(#[$doc:meta])* $name:ident = $number:ident, $labels:expr, $unit:ident;)*) => {$(
         $(#[$doc])*
-        pub const $name: Field<$record> =
-            Field::worded(stringify!($number), $labels, Unit::$unit, |record| record.$number);
+        pub const $name: Field<$record> = Field::worded(stringify!($number), $labels, Unit::$unit, |of| of.$number);
     )*};
 }
 

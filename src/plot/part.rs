@@ -1,6 +1,6 @@
 //! The part: its whole section coloured by thinning, its thinnest place and the place of a tear.
 
-use super::sections::{TOOL, mirrored, panel, tools, whole_window};
+use super::sections::{mirrored, panel, tools, whole_window};
 use super::*;
 use crate::assess::tears_at;
 use crate::measure::element_at;
@@ -15,7 +15,8 @@ pub(crate) fn plot(view: &StageView) -> Option<Chart> {
     let scale = Thinning::new(model.blank.thickness, 0.5 * WIDTH / right, [frame]);
     let is_released = model.release.is_some();
     let tools = tools(model, Some(frame), right).filter(|_| !is_released);
-    let tools = tools.flat_map(|tool| mirrored(tool.points)).map(|body| Series::silent(body, TOOL));
+    let sides = |tool: Series| mirrored(tool.points).into_iter().map(move |body| Series::silent(body, tool.style));
+    let tools = tools.flat_map(sides);
     let thinnest = frame.elements.iter().min_by(|a, b| a.thickness.total_cmp(&b.thickness))?;
     let thinned = 1e-4 * (100.0 * thinning::percent(thinnest)).round();
     let word = if thinned < 0.0 { "thicker" } else { "thinner" };

@@ -1,6 +1,7 @@
 //! Outlines of sheet and tools in a section.
 
 use super::{palette::PALE, *};
+use crate::bead::shapes;
 use crate::geometry::on_axis;
 use crate::plot::fields::element::{R, Z};
 use crate::solver::solution::NodeRecord;
@@ -13,6 +14,7 @@ const OUTLINED: usize = 200;
 const AROUND: f64 = 0.06;
 /// Outline of a tool far from the sheet \[mm\].
 const FAR: f64 = 1e3;
+const BEAD: [(Role, Color); 2] = [(Role::Die, WHITE), (Role::Holder, PALE)];
 pub(super) const TOOL: Style = Style::Area { fill: PALE, edge: Some(GREY) };
 
 /// Panel of the r-z plane that shows at least this window \[mm\].
@@ -38,10 +40,16 @@ pub(crate) fn whole_window(frame: &Frame) -> [(f64, f64); 2] {
 
 /// Tool bodies as they stand in a frame, or in the model without one; `width` is that of the picture \[mm\].
 pub(crate) fn tools(model: &Model, at: Option<&Frame>, width: f64) -> impl Iterator<Item = Series> {
-    model.tools.iter().enumerate().map(move |(i, tool)| {
-        let moved = at.map_or_else(Point::default, |frame| tool_displacement(frame, i));
-        Series::silent(body(tool.role, &tool.profile, moved, SAGITTA * width), TOOL)
-    })
+    let moved = move |i: usize| at.map_or_else(Point::default, |frame| tool_displacement(frame, i));
+    let bodies = model.tools.iter().enumerate().map(move |(i, tool)| {
+        let outline = body(tool.role, &tool.profile, moved(i), SAGITTA * width);
+        Series::silent(outline, TOOL)
+    });
+    let beads = shapes(model).flat_map(|beads| BEAD.into_iter().zip(beads)).map(move |((role, fill), shape)| {
+        let moved = model.tool_index(role).map_or_else(Point::default, moved);
+        Series::silent(outline(&shape, moved, SAGITTA * width), Style::Area { fill, edge: Some(GREY) })
+    });
+    bodies.chain(beads)
 }
 
 pub(super) fn mirrored(mut outline: Vec<(f64, f64)>) -> Vec<Vec<(f64, f64)>> {

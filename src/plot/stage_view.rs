@@ -5,7 +5,7 @@ use crate::assess::{self, Finding, Kind, sentences};
 use crate::case::{Case, Solution};
 use crate::forming_limit::{Assessment, assess};
 use crate::measure::Ring;
-use crate::model::tool_sizes::extent;
+use crate::model::{Edge, tool_sizes::extent};
 use crate::solver::solution::StopKind;
 use std::sync::OnceLock;
 use std::time::Duration;
@@ -147,7 +147,7 @@ impl<'a> StageView<'a> {
         self.model().release.is_some() && high - low < LEVEL * least
     }
 
-    pub(super) fn progress(&self) -> String {
+    pub(crate) fn progress(&self) -> String {
         let (model, (what, ..)) = (self.model(), self.progress_quantity());
         let worker = model.tool(model.worker()).filter(|_| model.travel > 0.0);
         worker.map_or_else(|| what.to_owned(), |tool| format!("{} {what}", model.name_of(tool.role)))
@@ -166,6 +166,7 @@ impl<'a> StageView<'a> {
 
     fn progress_quantity(&self) -> (&'static str, Unit, fn(&Model, &Frame) -> f64) {
         match self.model() {
+            model if model.blank.edge == Edge::Fed => ("feed", Unit::Mm, |_, frame| frame.travel),
             model if model.travel > 0.0 => ("travel", Unit::Mm, |_, frame| frame.travel),
             model if model.release.is_some() => ("tools released", Unit::Percent, |m, f| 100.0 * f.time / m.duration),
             model if model.rate_control().is_some() => ("time", Unit::Second, |_, frame| frame.time),

@@ -34,8 +34,7 @@ impl Thinning {
     /// Finest scale that covers every element of these frames; a mm is drawn as so many `px`.
     pub fn new<'a>(initial: f64, px: f64, frames: impl IntoIterator<Item = &'a Frame>) -> Self {
         let (px, elements) = (initial * px, frames.into_iter().flat_map(|frame| &frame.elements));
-        let times = if px >= VISIBLE { 1.0 } else { (VISIBLE / px).ceil() };
-        Self { times, ..Self::over(elements.map(percent)) }
+        Self { times: if px >= VISIBLE { 1.0 } else { (VISIBLE / px).ceil() }, ..Self::over(elements.map(percent)) }
     }
 
     fn over(thinning: impl IntoIterator<Item = f64>) -> Self {

@@ -37,7 +37,7 @@ pub const OUTPUTS: &[Output] = &[
     picture("residual_stress.png", "residual stress through the thickness", plot::residual_stress::plot),
     picture("load_travel.png", "forces over the travel", plot::load_travel::plot),
     table("pressure_cycle.csv", "pressure and the strain rate it holds, over time", tables::pressure_cycle),
-    picture("pressure_cycle.png", "the same, and the height of the dome", plot::pressure_cycle::plot),
+    picture("pressure_cycle.png", "pressure over time, and height or feed", plot::pressure_cycle::plot),
     picture("thickness.png", "thickness over the blank at every kept frame, and over the part", profiles::thickness),
     picture("tearing.png", "tearing index over the blank at every kept frame", profiles::tearing_index),
     picture("porosity.png", "porosity over the blank, of a sheet with voids", profiles::porosity),

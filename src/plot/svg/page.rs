@@ -29,7 +29,6 @@ pub(super) fn draw(chart: &Chart, width: f64, canvas: &Canvas) -> f64 {
 }
 
 fn legend(chart: &Chart, page: f64, top: f64, canvas: &Canvas) -> f64 {
-    let heading = if chart.legend.is_empty() { 0.0 } else { text::width(&chart.legend, TICK) + MARGIN };
     text::draw(canvas, &chart.legend, TICK, BLACK, (MARGIN, top));
     let (mut x, mut below) = (f64::INFINITY, top);
     for series in chart.panels.iter().flat_map(|panel| &panel.series) {
@@ -37,7 +36,7 @@ fn legend(chart: &Chart, page: f64, top: f64, canvas: &Canvas) -> f64 {
         let width = SAMPLE + AFTER_SAMPLE + text::width(label, TICK);
         if x + width > page - MARGIN {
             below += SPACING * TICK;
-            x = MARGIN + heading;
+            x = MARGIN + if chart.legend.is_empty() { 0.0 } else { text::width(&chart.legend, TICK) + MARGIN };
         }
         let y = below - SPACING * TICK;
         sample(canvas, series.style, (x, y + 0.5 * TICK), (SAMPLE, 0.3 * TICK));
@@ -50,8 +49,7 @@ fn legend(chart: &Chart, page: f64, top: f64, canvas: &Canvas) -> f64 {
 fn panels(panels: &[Panel], width: f64, top: f64, canvas: &Canvas) -> f64 {
     let left = panels.iter().map(y_labels_width).fold(0.0, f64::max);
     let has_axes = panels.iter().any(|panel| panel.is_small && !panel.has_no_axes());
-    let narrowest = if has_axes { SMALL_WITH_AXES } else { SMALL };
-    let columns = ((width - MARGIN) / (narrowest + MARGIN)).max(1.0) as usize;
+    let columns = ((width - MARGIN) / ((if has_axes { SMALL_WITH_AXES } else { SMALL }) + MARGIN)).max(1.0) as usize;
     let small_width = (width - (columns + 1) as f64 * MARGIN) / columns as f64;
     let (mut y, mut below, mut column) = (top, top, columns);
     for panel in panels {
