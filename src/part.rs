@@ -39,8 +39,7 @@ impl Part {
 
     /// Radius of the two bends of a slope that deep, and its width: at most 45° steep.
     pub fn slope(&self, depth: f64) -> [f64; 2] {
-        let steepest = 0.5 * depth / (1.0 - FRAC_PI_4.cos());
-        let bend = steepest.max(RECESS_BEND * self.thickness);
+        let bend = (0.5 * depth / (1.0 - FRAC_PI_4.cos())).max(RECESS_BEND * self.thickness);
         let cosine = 1.0 - 0.5 * depth / bend;
         [bend, 2.0 * bend * (1.0 - cosine * cosine).sqrt()]
     }

@@ -1,10 +1,12 @@
 //! Verdict in one sentence, its failure modes, and the numbers of the part.
 
 use super::filling::Filling;
-use super::press::{closing, largest_force, load};
+use super::press::{clamp, closing, further, largest_force, load, pad};
 use super::tear::{self, Tear, place, tear};
 use super::{finding::labels, *};
-use crate::measure::{OPENING_ANGLE, Shape, element_at, outside_diameters, part_height, stripping_force, wall_at};
+use crate::measure::{
+    self, OPENING_ANGLE, Shape, element_at, outside_diameters, part_height, stripping_force, wall_at,
+};
 use crate::numerics::interpolated;
 use crate::solver::solution::Frame;
 
@@ -138,6 +140,7 @@ fn numbers(case: &Case, stages: &[StageSolution], is_torn: bool) -> Vec<Quantity
         stages.last().filter(|_| !is_torn).and_then(|stage| rim(case, stage).or_else(|| ironed(stage))),
         stages.last().filter(|_| !is_torn).and_then(step),
         draw_in(stages),
+        formed(stages).last().and_then(|(_, stage)| stretched(stage)),
         ring(case, stages),
     ];
     all.into_iter().flatten().collect()
@@ -160,7 +163,8 @@ fn thinnest(stages: &[StageSolution], end: &StepRecord, is_torn: bool) -> Option
     let thicker = || thicker(stages).filter(|_| thinning < NOTHING).unwrap_or_default();
     let after = if is_torn { "after the tear".into() } else { thicker() };
     let thinner = Amount::share((1e4 * thinning).round() / 1e4);
-    let about = [format!("{thinner} thinner"), place(stages, end.thinnest_s0), after];
+    let at = if thinner.value > 0.0 { place(stages, end.thinnest_s0) } else { String::new() };
+    let about = [format!("{thinner} thinner"), at, after];
     Some(Quantity::new("thinnest", "Thinnest", Amount::thickness(end.thinnest)).at(joined(about, ", ")))
 }
 
@@ -210,33 +214,6 @@ fn end(stage: &StageSolution) -> Option<Quantity> {
     Some(Quantity::new("end", "End", Amount::place(end)).at(joined([about, wider], "; ")))
 }
 
-fn pad(stage: &StageSolution) -> Option<Quantity> {
-    let unit = stage.model.tool(Role::Pad).map(|_| stage.model.extent().force_unit())?;
-    let force = Amount::force(super::largest(stage, |step| step.pad_force), unit);
-    Some(Quantity::new("pad_force", "Pad", force.to(Digits::Significant(3))).at("at its largest, against the punch"))
-}
-
-fn clamp(stage: &StageSolution) -> Option<Quantity> {
-    let pull = Some(super::largest(stage, |step| step.edge_force)).filter(|pull| *pull > 0.0)?;
-    let pull = Amount::force(pull, stage.model.extent().force_unit()).to(Digits::Significant(3));
-    let about = worded(stage.model.geometry, "pull on the held edge, all round", "pull on both held edges");
-    Some(Quantity::new("clamp_force", "Clamp", pull).at(format!("{about}, at its largest")))
-}
-
-fn further(stages: &[StageSolution]) -> Option<Quantity> {
-    let model = &stages.last()?.model;
-    let amount = |force: f64| Amount::force(force, model.extent().force_unit()).to(Digits::Significant(3));
-    let largest = |name: &String| {
-        let peaks = stages.iter().flat_map(StageSolution::further_peaks).filter(|(_, other, _)| other == name);
-        amount(peaks.map(|(.., peak)| peak).fold(0.0, f64::max))
-    };
-    let (first, others) = model.further.split_first()?;
-    let others = others.iter().map(|name| format!("{name} {}", largest(name)));
-    let about = joined(["at its largest".to_owned()].into_iter().chain(others), "; ");
-    let force = Quantity::new("further_force", "Further tool", largest(first)).at(about);
-    Some(Quantity { name: Some(crate::units::capitalised(first)), ..force })
-}
-
 fn holder(stage: &StageSolution) -> Option<Quantity> {
     let model = &stage.model;
     if let Motion::Gap(gap) = model.tool(Role::Holder)?.motion {
@@ -267,7 +244,10 @@ fn blank(model: &Model) -> Quantity {
         return Quantity::new("blank", "Blank", Amount::size(outside)).at(about);
     }
     let amount = Amount::new(2.0 * model.blank.length, Unit::Mm, Digits::Given(2));
-    Quantity::new("blank", "Blank", amount).at(format!("{across}, {} thick", Amount::size(model.blank.thickness)))
+    let hole = Some(model.blank.hole).filter(|_| model.blank.has_hole());
+    let hole = hole.map_or_else(String::new, |hole| format!("hole {}", Amount::set(2.0 * hole)));
+    let thick = format!("{} thick", Amount::size(model.blank.thickness));
+    Quantity::new("blank", "Blank", amount).at(joined([across.to_owned(), hole, thick], ", "))
 }
 
 fn opening_angle(stage: &StageSolution) -> Option<Quantity> {
@@ -288,7 +268,8 @@ fn height(stage: &StageSolution) -> Option<Quantity> {
 /// Depth between the ends of a punch's inner and outer flat, where the sheet lies at the same distances from the symmetry plane.
 fn step(stage: &StageSolution) -> Option<Quantity> {
     let [before, after] = stage.released().filter(|_| stage.model.geometry == Geometry::PlaneStrain)?;
-    let [inner, .., outer] = stage.model.tool(Role::Punch)?.profile.pieces() else { return None };
+    let pieces = stage.model.tool(Role::Punch)?.profile.pieces();
+    let [inner, .., outer] = pieces else { return None };
     let is_level = |piece: &Piece| matches!(piece, Piece::Segment(line) if line.from.y == line.to.y);
     let of_punch = inner.last().y - outer.first().y;
     let depth = |frame: &Frame| {
@@ -296,7 +277,8 @@ fn step(stage: &StageSolution) -> Option<Quantity> {
         Amount::thickness(interpolated(&middle, inner.last().x) - interpolated(&middle, outer.first().x))
     };
     let about = format!("sprung back, {} under load, {} of the punch", depth(before), Amount::thickness(of_punch));
-    let is_stepped = is_level(inner) && is_level(outer) && of_punch > 0.0;
+    let is_wall = |piece: &Piece| matches!(piece, Piece::Segment(line) if (line.from.x - line.to.x).abs() < 1e-6);
+    let is_stepped = is_level(inner) && is_level(outer) && of_punch > 0.0 && !pieces.iter().any(is_wall);
     is_stepped.then(|| Quantity::new("step", "Step", depth(after)).at(about))
 }
 
@@ -335,8 +317,15 @@ fn draw_in(stages: &[StageSolution]) -> Option<Quantity> {
     let (_, stage) = formed(stages).last().filter(|(_, stage)| stage.stop.kind != StopKind::LeftDie)?;
     Some(&stage.model.blank).filter(|blank| blank.meridian.is_none() && blank.edge == Edge::Free)?;
     let load = if stages.last()?.model.release.is_some() { ", under load" } else { "" };
-    let draw_in = Quantity::new("draw_in", "Draw-in", Amount::draw_in(stage.steps.last()?.draw_in));
-    Some(draw_in.at(format!("of the edge, on each side{load}")))
+    let draw_in = Amount::draw_in(stage.steps.last()?.draw_in);
+    let spreads = || format!("the edge spreads by {}", draw_in.with_value(-draw_in.value));
+    let about = if draw_in.value < 0.0 { spreads() } else { "of the edge".into() };
+    Some(Quantity::new("draw_in", "Draw-in", draw_in).at(format!("{about}, on each side{load}")))
+}
+
+fn stretched(stage: &StageSolution) -> Option<Quantity> {
+    let stretch = Quantity::new("stretch", "Stretch", Amount::share(measure::stretch(stage)?));
+    Some(stretch.at("of the strip's middle between the clamps, under load"))
 }
 
 fn ring(case: &Case, stages: &[StageSolution]) -> Option<Quantity> {

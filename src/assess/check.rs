@@ -70,6 +70,8 @@ fn blank(model: &Model) -> Vec<Line> {
         None => (blank.length, meaning),
         Some(_) => (blank.reach() + 0.5 * blank.thickness, format!("outside, {} along it", Amount::set(blank.length))),
     };
+    let hole = Some(blank.hole).filter(|_| blank.meridian.is_none() && blank.has_hole());
+    let sizes = [Some(radius), hole].into_iter().flatten().map(|half| size_of(model, half, Amount::set));
     let volume = extent.times() * blank.volume(extent.geometry());
     let (unit, times) = if extent == Extent::PerDepth { (Unit::Mm2, "times the depth") } else { (Unit::Mm3, "") };
     let theory = match blank.theory {
@@ -78,7 +80,7 @@ fn blank(model: &Model) -> Vec<Line> {
     };
     let mut lines = vec![
         line("geometry", format!("{geometry}; {}", extent.described()), ""),
-        line("blank", size_of(model, radius, Amount::set), meaning),
+        line("blank", joined(sizes, ", hole "), meaning),
         number("thickness", Amount::size(blank.thickness), ""),
         number("volume", Amount::new(volume, unit, Digits::Significant(3)), times),
         line("theory", theory, ""),
@@ -176,16 +178,14 @@ impl Check {
         if is_full {
             return self.notes.clone();
         }
-        let notes =
-            self.notes.iter().take(room).map(|note| shortened(note.trim_start_matches("declared: "), COLUMNS + 14));
+        let notes = self.notes.iter().take(room).map(|n| shortened(n.trim_start_matches("declared: "), COLUMNS + 14));
         notes.chain((left > 0).then(|| format!("{left} more: --verbose prints all"))).collect()
     }
 }
 
 fn shortened(text: &str, most: usize) -> String {
     let Some((end, _)) = text.char_indices().nth(most - 1) else { return text.to_owned() };
-    let words = text[..end].rfind(' ').map_or(&text[..end], |end| &text[..end]);
-    format!("{} …", words.trim_end_matches([',', ';', ':']))
+    format!("{} …", text[..end].rfind(' ').map_or(&text[..end], |end| &text[..end]).trim_end_matches([',', ';', ':']))
 }
 
 /// Brief text of one screen; with `{:#}` everything.

@@ -9,7 +9,7 @@ use std::f64::consts::FRAC_PI_2;
 
 /// Throat less punch \[mm\]; for a closed die or a punch that widens, the smallest gap after this travel \[mm\].
 pub(crate) fn clearance(model: &Model, travel: f64) -> Option<f64> {
-    let (punch, die) = (model.tool(Role::Punch)?, model.tool(Role::Die)?);
+    let (punch, die) = (model.tool(Role::Punch)?, model.tool(Role::Die).filter(|_| !model.is_stretch_bent())?);
     let straight = throat(die).filter(|_| !widens(punch, travel));
     Some(straight.map_or_else(|| gap(punch, die, travel).0, |throat| throat - extent(punch).1))
 }

@@ -35,7 +35,7 @@ pub use finding::{Finding, Kind, Light, When, by_advice, first_clause, headline,
 pub use fold::folded;
 pub use forming_limit::{CAREFUL, Used, used as forming_limit_used};
 pub use holder::holder_lift;
-pub use press::largest_force;
+pub use press::{largest_force, on_ram};
 pub use size::{SIZE_CHECKS, size_doubts};
 pub use tear::tears_at;
 
@@ -47,7 +47,7 @@ use crate::measure::events;
 use crate::model::{Edge, Geometry, Mode, Model, Motion, Role, Tool, tool_sizes::extent};
 use crate::solver::solution::{NodeRecord, StageSolution, StepRecord, StopKind};
 use crate::table::worded;
-use crate::units::{Amount, Digits, ErrorBar, Limits, Quantity, Sense, Unit, joined, rounded, significant};
+use crate::units::{Amount, Digits, ErrorBar, Limits, Quantity, Sense, Unit, joined, rounded, rounded_up, significant};
 use forming_limit::Nearest;
 use serde::{Serialize, Serializer, ser::SerializeMap};
 

@@ -12,6 +12,8 @@ const NEAR: f64 = 0.8;
 const RESERVE: f64 = 1.2;
 /// Largest force of tools that move a sheet and do not form it, by rounding: declared \[N, or N/mm\].
 const NOTHING: f64 = 1e-6;
+/// Gap of tools that are pressed home over the thickness \[–\]: declared.
+const HOME: f64 = 1.05;
 /// Metric tonne-force \[N\].
 const TONNE: f64 = 9806.65;
 
@@ -27,12 +29,14 @@ struct Load<'a> {
 }
 
 impl<'a> Load<'a> {
+    fn of(stage: usize, on: &'a StageSolution) -> impl Iterator<Item = Self> {
+        let squeezes = on.stop.kind == StopKind::ToolsClosed;
+        on.steps.iter().zip(&on.tool_forces).map(move |(step, forces)| Self { stage, on, step, forces, squeezes })
+    }
+
     /// Largest over all stages, of forces over what the press permits at their travel; `None` if nothing presses.
     pub fn largest(stages: &'a [StageSolution], press: &Press) -> Option<Self> {
-        let steps = formed(stages).flat_map(|(stage, on)| {
-            let squeezes = on.stop.kind == StopKind::ToolsClosed;
-            on.steps.iter().zip(&on.tool_forces).map(move |(step, forces)| Self { stage, on, step, forces, squeezes })
-        });
+        let steps = formed(stages).flat_map(|(stage, on)| Self::of(stage, on));
         let share = |load: &Self| load.force() / press.permitted(load.left()).unwrap_or(1.0);
         steps.filter(|load| load.driven() > NOTHING).max_by(|a, b| share(a).total_cmp(&share(b)))
     }
@@ -66,16 +70,9 @@ impl<'a> Load<'a> {
         self.step.punch_force + below.map(|(_, force)| force).sum::<f64>() + self.closing() + self.thrust()
     }
 
-    /// Force of the pressure inside a tube on the seal by which its end is fed \[N, or N/mm\].
+    /// Force of the pressure on the seal of a fed tube \[N, or N/mm\].
     pub fn thrust(&self) -> f64 {
-        let (model, blank) = (&self.on.model, &self.on.model.blank);
-        let inside = model.extent().area(blank.edge_radius() - 0.5 * blank.thickness);
-        if blank.edge == Edge::Fed { self.step.pressure.max(0.0) * inside } else { 0.0 }
-    }
-
-    /// Stage, step and force.
-    pub fn peak(&self) -> (usize, &'a StepRecord, f64) {
-        (self.stage, self.step, self.force())
+        self.on.model.thrust(self.step.pressure)
     }
 
     /// Force that holds tools without a punch closed on a flat sheet: the larger pressure over its seal's area \[N, or N/mm\].
@@ -83,8 +80,7 @@ impl<'a> Load<'a> {
         let model = &self.on.model;
         let given = |gas: &Gas| gas.pressure.prescribed(self.step.time);
         let known: f64 = model.gas.iter().filter_map(|gas| Some(gas.face.sign() * given(gas)?)).sum();
-        let force =
-            |gas: &Gas| given(gas).unwrap_or((self.step.pressure - known).abs()) * model.extent().area(gas.within);
+        let force = |g: &Gas| given(g).unwrap_or((self.step.pressure - known).abs()) * model.extent().area(g.within);
         let is_held = model.travel == 0.0 && model.blank.meridian.is_none();
         model.gas.iter().filter(|_| is_held).map(force).fold(0.0, f64::max)
     }
@@ -96,11 +92,15 @@ impl<'a> Load<'a> {
 
     /// Least rating of a press for it and its error bar, rounded up: `67 kN (6.8 t)`.
     pub fn rating(&self, bar: f64) -> String {
-        let least = f64::max(RESERVE * self.force(), self.force() + bar);
-        let second_digit = 10f64.powi(least.log10().floor() as i32 - 1);
-        let rating = (least / second_digit - 1e-9).ceil() * second_digit;
-        with_tonnes(self.amount(rating))
+        // Up to the upper end of the bar as it is printed.
+        let bar = if bar > 0.0 { rounded_up(bar, 1 + i32::from(format!("{bar:e}").starts_with('1'))) } else { 0.0 };
+        with_tonnes(self.amount(rounded_up((1.0 - 1e-10) * f64::max(RESERVE * self.force(), self.force() + bar), 2)))
     }
+}
+
+/// Force on the ram at each step, the holder's with it \[N, or N/mm\].
+pub fn on_ram(stage: &StageSolution) -> Vec<f64> {
+    Load::of(0, stage).map(|load| load.force()).collect()
 }
 
 type Peak<'a> = Option<(usize, &'a StepRecord, f64)>;
@@ -127,9 +127,6 @@ pub(super) fn load(case: &Case, stages: &[StageSolution], bar: f64) -> Option<Qu
         return Some(pressure.at(joined([stage(i), at], ", ")));
     };
     let pressed = Load::largest(stages, &case.press)?;
-    let fed = stages[i].model.blank.edge == Edge::Fed && stages[i].model.tool(Role::Punch).is_none();
-    // A feeding cylinder bears the end of the tube and the pressure on its seal.
-    let (i, peak, force) = if fed { pressed.peak() } else { (i, peak, force) };
     let of_seal = |thrust: f64| format!("{} of it the pressure's on the seal", pressed.amount(thrust));
     let seal = Some(pressed.thrust()).filter(|thrust| *thrust > 0.0).map(of_seal).unwrap_or_default();
     let of = |on: &StageSolution| match on.model.worker() {
@@ -142,13 +139,12 @@ pub(super) fn load(case: &Case, stages: &[StageSolution], bar: f64) -> Option<Qu
         let force = Some(on.working_force().into_iter().fold(0.0, f64::max)).filter(|force| *force > 0.0)?;
         Some(joined([format!("{} in stage {}", pressed.amount(force), other + 1), of(on)], " "))
     });
-    let about = joined([at, joined(others, ", "), press(case, &pressed, bar)], "; ");
-    let label = match of(&stages[i]).is_empty() {
-        true if fed => "Feed force",
-        true => "Punch force",
-        false => "Tool force",
-    };
-    Some(Quantity::new("punch_force", label, pressed.amount(force)).at(about))
+    let model = &stages[i].model;
+    let is_home = |gap: &f64| *gap < HOME * model.blank.thickness && 2.0 * bar > force;
+    let gap = estimate::clearance(model, model.travel).filter(is_home);
+    let home = gap.map_or("", |_| "the gap of the closed tools decides it").to_owned();
+    let about = joined([at, joined(others, ", "), home, press(case, &pressed, bar)], "; ");
+    Some(Quantity::new("punch_force", model.force_label(), pressed.amount(force)).at(about))
 }
 
 /// Share of the press's rating, or press for a load and its error bar \[N, or N/mm\].
@@ -181,6 +177,33 @@ pub(super) fn closing(case: &Case, stages: &[StageSolution]) -> Option<Quantity>
     }
     let load = Load::largest(stages, &case.press).filter(|load| load.closing() > 0.0)?;
     Some(Quantity::new("closing_force", "Closing force", load.amount(load.force())).at(press(case, &load, 0.0)))
+}
+
+pub(super) fn pad(stage: &StageSolution) -> Option<Quantity> {
+    let unit = stage.model.tool(Role::Pad).map(|_| stage.model.extent().force_unit())?;
+    let force = Amount::force(super::largest(stage, |step| step.pad_force), unit);
+    Some(Quantity::new("pad_force", "Pad", force.to(Digits::Significant(3))).at("at its largest, against the punch"))
+}
+
+pub(super) fn clamp(stage: &StageSolution) -> Option<Quantity> {
+    let pull = Some(super::largest(stage, |step| step.edge_force)).filter(|pull| *pull > 0.0)?;
+    let pull = Amount::force(pull, stage.model.extent().force_unit()).to(Digits::Significant(3));
+    let about = worded(stage.model.geometry, "pull on the held edge, all round", "pull on both held edges");
+    Some(Quantity::new("clamp_force", "Clamp", pull).at(format!("{about}, at its largest")))
+}
+
+pub(super) fn further(stages: &[StageSolution]) -> Option<Quantity> {
+    let model = &stages.last()?.model;
+    let amount = |force: f64| Amount::force(force, model.extent().force_unit()).to(Digits::Significant(3));
+    let largest = |name: &String| {
+        let peaks = stages.iter().flat_map(StageSolution::further_peaks).filter(|(_, other, _)| other == name);
+        amount(peaks.map(|(.., peak)| peak).fold(0.0, f64::max))
+    };
+    let (first, others) = model.further.split_first()?;
+    let others = others.iter().map(|name| format!("{name} {}", largest(name)));
+    let about = joined(["at its largest".to_owned()].into_iter().chain(others), "; ");
+    let force = Quantity::new("further_force", "Further tool", largest(first)).at(about);
+    Some(Quantity { name: Some(crate::units::capitalised(first)), ..force })
 }
 
 /// Force as the data sheet of a press has it, in metric tonnes-force too: `812 kN (83 t)`.

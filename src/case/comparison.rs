@@ -193,8 +193,7 @@ impl Compare {
         };
         let help = format!("`{}` is compared {help}", quantity.name());
         source.refuse(path, foreign, "does not apply here", &help)?;
-        let written = source.written(path, needed);
-        if let Some(missing) = needed.iter().find(|key| !written.contains(key)) {
+        if let Some(missing) = needed.iter().find(|key| !source.written(path, needed).contains(key)) {
             return Err(source.error(path, format!("`{missing}` is missing in {path}"), help));
         }
         let range = range.map(|[from, to]| (from.value(), to.value()));

@@ -237,8 +237,7 @@ pub(super) fn complete(file: &mut CaseFile, source: &Source) -> Result<Sources> 
     let replaced = source.written("material", &keys);
     let own_hardening = replaced.contains(&"hardening");
     let own = file.forming_limit.as_ref().map(|own| own.measured == Some(true) && own.points.is_none());
-    let is_wanted = own.unwrap_or(!own_hardening);
-    if let Some(measured) = forming_limit.filter(|_| is_wanted) {
+    if let Some(measured) = forming_limit.filter(|_| own.unwrap_or(!own_hardening)) {
         let own = file.forming_limit.take().unwrap_or_else(|| measured.clone());
         let strain = own.strain.or(measured.strain);
         file.forming_limit = Some(file::FormingLimit { points: measured.points, strain, measured: None, ..own });

@@ -42,6 +42,5 @@ fn property<'a>(node: &'a Value, segment: &str) -> Option<&'a Value> {
     let referred = || property(&SCHEMA["$defs"][node.get("$ref")?.as_str()?.rsplit('/').next()?], segment);
     let in_choices = || node.get("anyOf")?.as_array()?.iter().find_map(|choice| property(choice, segment));
     // An entry of an array may be named without its number.
-    let in_items = || property(node.get("items")?, segment);
-    own.or_else(in_items).or_else(referred).or_else(in_choices)
+    own.or_else(|| property(node.get("items")?, segment)).or_else(referred).or_else(in_choices)
 }

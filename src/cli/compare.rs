@@ -97,15 +97,9 @@ pub fn as_json<'a>(all: impl Iterator<Item = (&'a String, &'a Comparison)>) -> V
         let columns = comparison.table().columns;
         let values = columns.iter().map(|one| (one.header(), one.values.iter().copied().map(rounded).collect()));
         json!({
-            "case": case,
-            "quantity": comparison.spec.quantity.name(),
-            "reference": comparison.spec.reference,
-            "source": comparison.spec.source,
-            "worst": comparison.worst(),
-            "accepted": comparison.accepted(),
-            "verdict": comparison.outcome(),
-            "failure": comparison.is_failure(),
-            "reason": comparison.spec.reason,
+            "case": case, "quantity": comparison.spec.quantity.name(), "reference": comparison.spec.reference,
+            "source": comparison.spec.source, "worst": comparison.worst(), "accepted": comparison.accepted(),
+            "verdict": comparison.outcome(), "failure": comparison.is_failure(), "reason": comparison.spec.reason,
             "values": values.collect::<Map<_, _>>(),
         })
     };

@@ -79,10 +79,8 @@ impl Reference {
 
     /// The parts of the area that belong to the [contact points](stations); they sum to the area.
     pub fn contact_areas(&self) -> [f64; STATIONS] {
-        stations(self.bending).map(|station| {
-            let skew = if self.hoop { station.skew * self.dr / self.radius } else { 0.0 };
-            self.area() * (0.5 + skew)
-        })
+        stations(self.bending)
+            .map(|station| self.area() * (0.5 + if self.hoop { station.skew * self.dr / self.radius } else { 0.0 }))
     }
 
     /// Areas of the lower and the upper face of a sheet of this `thickness` \[mm\] over that of its mid-surface \[–\].

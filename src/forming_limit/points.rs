@@ -35,8 +35,7 @@ pub struct Points {
 
 impl Points {
     pub(super) fn curve(&self) -> Result<Curve, LawError> {
-        let points: Vec<[f64; 2]> =
-            self.points.iter().map(|point| point.map(|strain| self.strain.logarithmic(strain))).collect();
+        let points: Vec<_> = self.points.iter().map(|point| point.map(|e| self.strain.logarithmic(e))).collect();
         // The comparisons are also false for NaN.
         let sound = |[minor, major]: &[f64; 2]| *major > 0.0 && *minor > -3.0 && minor <= major && *major < 3.0;
         if let Some(i) = points.iter().position(|point| !sound(point)) {

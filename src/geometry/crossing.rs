@@ -60,8 +60,7 @@ impl Profile {
         let (a, b) = (&self.pieces()[i], &self.pieces()[j]);
         // Round-off δ of the distance moves the point where a line touches an arc by √(2 R δ).
         let radius = [a, b].map(|piece| if let Piece::Arc(arc) = piece { arc.radius } else { 0.0 });
-        let radius = radius[0].max(radius[1]);
-        let near = ROUNDED + (8.0 * radius * TOUCH).sqrt();
+        let near = ROUNDED + (8.0 * radius[0].max(radius[1]) * TOUCH).sqrt();
         common(a, b).into_iter().find(|p| j > i + 1 || (p - a.last()).norm() > near)
     }
 }

@@ -10,7 +10,7 @@
 //! A release, or a stage whose punch leaves the sheet, keeps the bands of its start.
 
 use crate::geometry::{Piece, Point, Profile, on_axis};
-use crate::model::{Geometry, Model, Role, Tool, tool_sizes::embosses};
+use crate::model::{Edge, Geometry, Model, Role, Tool, tool_sizes::embosses};
 use crate::numerics::running_sums;
 use crate::solver::solution::{Frame, NodeRecord, StageSolution};
 use std::ops::Range;
@@ -104,10 +104,22 @@ pub fn bands(stage: &StageSolution) -> Vec<Stretch> {
         from = nodes.end;
         let elements = nodes.start.min(elements)..nodes.end.min(elements);
         let (band, tool) = same[0];
-        let name = tool.map_or(band.name().into(), |role| format!("tool '{}'", stage.model.name_of(role)));
+        let is_inverted = stage.model.blank.is_open() && stage.model.tool(Role::Die).is_none();
+        let name = match (tool, band) {
+            (Some(role), _) => format!("tool '{}'", stage.model.name_of(role)),
+            (_, Band::DieRadius) if !is_inverted => format!("{} radius", stage.model.name_of(Role::Die)),
+            (_, Band::PunchRadius | Band::DieRadius) => format!("{} radius", stage.model.name_of(Role::Punch)),
+            _ => band.name().into(),
+        };
         Stretch { band, name, along: [end(nodes.start), end(nodes.end)], elements }
     });
     stretches.filter(|stretch| !stretch.elements.is_empty()).collect()
+}
+
+/// Elongation of a strip's middle between its clamps, bent over a punch \[–\].
+pub fn stretch(stage: &StageSolution) -> Option<f64> {
+    let is_stretched = stage.model.is_stretch_bent() && stage.model.blank.edge == Edge::Clamped;
+    Some(along(stage.frames.last().filter(|_| is_stretched)?).last()? / stage.model.blank.length - 1.0)
 }
 
 /// Index of the element whose initial distance from the axis is nearest to one \[mm\].
@@ -169,7 +181,8 @@ fn bands_of_nodes(stage: &StageSolution, last: &Frame) -> Option<Vec<Named>> {
         }
     }
     if stage.model.blank.is_open() {
-        names.iter_mut().filter(|name| name.0 == Band::Dome).for_each(|name| name.0 = Band::Wall);
+        let has_none = |band: Band| matches!(band, Band::Dome | Band::Bottom | Band::Flange);
+        names.iter_mut().filter(|name| has_none(name.0)).for_each(|name| name.0 = Band::Wall);
     }
     Some(names)
 }
@@ -247,10 +260,9 @@ fn of_piece(geometry: Geometry, tool: &Tool, piece: usize, at: Point) -> Band {
         Piece::Arc(_) if stepped.is_some() => Band::DieRadius,
         piece => {
             let tangent = piece.tangent(false) + piece.tangent(true);
-            let is_level = tangent.y.abs() < LEVEL.tan() * tangent.x.abs();
             let edge = || profile.corners().map(|corner| corner.center.x).fold(f64::INFINITY, f64::min);
             match role {
-                _ if !is_level => Band::Wall,
+                _ if tangent.y.abs() >= LEVEL.tan() * tangent.x.abs() => Band::Wall,
                 Role::Die if at.x >= edge() || !edge().is_finite() => Band::Flange,
                 Role::Holder => Band::Flange,
                 _ => stepped.unwrap_or(Band::Bottom),

@@ -29,7 +29,7 @@ mod ring;
 mod shape_measure;
 mod stripping;
 
-pub use bands::{Band, PartPlace, Stretch, along, bands, element_at, place_on_part};
+pub use bands::{Band, PartPlace, Stretch, along, bands, element_at, place_on_part, stretch};
 pub use events::{Event, EventKind, events, rests_on_blocks};
 pub use moment::moment_error;
 pub use ring::{CutRing, Ring};

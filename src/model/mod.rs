@@ -121,9 +121,38 @@ impl Model {
         Extent::of(self.geometry, self.depth)
     }
 
-    /// Name of a tool.
+    /// Name of a tool; of a tube's end and of a strip that is stretched as shops have it.
     pub fn name_of(&self, role: Role) -> &str {
-        role.further().and_then(|number| self.further.get(number)).map_or(role.name(), String::as_str)
+        match (role, self.tool(role)) {
+            (Role::Punch, Some(tool)) if self.blank.is_open() => tool_sizes::name_on_tube(tool),
+            (Role::Die, Some(_)) if self.is_stretch_bent() => "clamp",
+            _ => role.further().and_then(|number| self.further.get(number)).map_or(role.name(), String::as_str),
+        }
+    }
+
+    /// Label of the force of the tool that works, or that feeds a tube.
+    pub fn force_label(&self) -> &'static str {
+        match self.name_of(self.worker()) {
+            _ if self.blank.edge == Edge::Fed => "Feed force",
+            "punch" => "Punch force",
+            "groove" => "Groove force",
+            "nosing die" => "Nosing die force",
+            _ => "Tool force",
+        }
+    }
+
+    /// True of a strip bent over a punch that is clamped or, once it is let go, ends with the clamps' shoulders.
+    pub fn is_stretch_bent(&self) -> bool {
+        let ends = |clamp: &Tool| tool_sizes::shoulder_end(clamp) > self.blank.length - 1e-6;
+        let is_held = self.blank.edge == Edge::Clamped || self.tool(Role::Die).is_some_and(ends);
+        let is_bent = self.tool(Role::Punch).is_some() && self.tool(Role::Holder).is_none();
+        self.geometry == Geometry::PlaneStrain && is_held && is_bent
+    }
+
+    /// Force of the pressure inside a tube on the seal by which its end is fed \[N, or N/mm\].
+    pub fn thrust(&self, pressure: f64) -> f64 {
+        let inside = self.extent().area(self.blank.edge_radius() - 0.5 * self.blank.thickness);
+        if self.blank.edge == Edge::Fed { pressure.max(0.0) * inside } else { 0.0 }
     }
 
     /// True of a tube under pressure: its guided end is taken as the middle (declared).

@@ -168,8 +168,7 @@ impl Minimum {
         let weights = DMatrix::from_diagonal(&DVector::from_iterator(self.free.len(), weights));
         let scaled = &self.jacobian * &weights;
         let shift = self.free.iter().map(|free| if *free { damping } else { 1.0 });
-        let normal = scaled.tr_mul(&scaled) + DMatrix::from_diagonal(&DVector::from_iterator(self.free.len(), shift));
-        (weights, normal)
+        (weights, scaled.tr_mul(&scaled) + DMatrix::from_diagonal(&DVector::from_iterator(self.free.len(), shift)))
     }
 
     fn stepped(&self, parameters: &[Parameter], damping: f64) -> Vec<f64> {

@@ -14,8 +14,7 @@ pub fn wilson(hits: usize, tries: usize) -> Option<[f64; 3]> {
     let square = Normal::standard().inverse_cdf(0.5 * (1.0 + CONFIDENCE)).powi(2) / n;
     let middle = (value + 0.5 * square) / (1.0 + square);
     let half = (square * (value * (1.0 - value) + 0.25 * square)).sqrt() / (1.0 + square);
-    let low = if hits == 0 { 0.0 } else { middle - half };
-    Some([value, low, if hits == tries { 1.0 } else { middle + half }])
+    Some([value, if hits == 0 { 0.0 } else { middle - half }, if hits == tries { 1.0 } else { middle + half }])
 }
 
 /// Means of at most `most` blocks of successive rows, as many rows in each but the first.

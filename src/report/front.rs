@@ -21,20 +21,14 @@ pub(super) fn content(report: &Report) -> Markup {
         p.sentence.{ "on-" (answer.light.name()) } {
             span.{ (answer.light.name()) } { (word(answer.light)) } " " (capitalised(&answer.sentence)) "."
         }
-        @if !issues.is_empty() {
-            ul.issues { @for issue in issues.iter().take(ISSUES) { (issue_of(issue)) } }
-        }
+        @if !issues.is_empty() { ul.issues { @for issue in issues.iter().take(ISSUES) { (issue_of(issue)) } } }
         @if left > 0 { p { (left) " more below: see Verdict." } }
         @if !unchecked.is_empty() { p { "Not checked: " (unchecked) "." } }
         @for warning in warnings(report).iter().take(WARNINGS) { p { "Note: " (warning) "." } }
-        dl.numbers {
-            @for number in &answer.numbers {
-                div {
-                    dt { (number.name.as_deref().unwrap_or(number.label)) }
-                    dd { strong { (number.amount) } @if !number.place.is_empty() { span { (number.place) } } }
-                }
-            }
-        }
+        dl.numbers { @for number in &answer.numbers { div {
+            dt { (number.name.as_deref().unwrap_or(number.label)) }
+            dd { strong { (number.amount) } @if !number.place.is_empty() { span { (number.place) } } }
+        } } }
         div.pictures { @for (_, _, chart, caption) in pictures(report) { (figure_in_column(chart, &caption)) } }
     }
 }
@@ -42,15 +36,13 @@ pub(super) fn content(report: &Report) -> Markup {
 fn issue_of(issue: &Finding) -> Markup {
     let found = in_words(&issue.statement());
     let limit = first_clause(&issue.limit);
-    html! {
-        li {
-            p {
-                span.{ (issue.light.name()) } { (word(issue.light)) } " " strong { (issue.label) } ": " (found)
-                @if !limit.is_empty() { " (limit: " (limit) ")" }
-            }
-            @if !issue.advice.is_empty() { p.advice { "What to change: " (in_words(&issue.advice)) } }
+    html! { li {
+        p {
+            span.{ (issue.light.name()) } { (word(issue.light)) } " " strong { (issue.label) } ": " (found)
+            @if !limit.is_empty() { " (limit: " (limit) ")" }
         }
-    }
+        @if !issue.advice.is_empty() { p.advice { "What to change: " (in_words(&issue.advice)) } }
+    } }
 }
 
 pub(super) fn pictures(report: &Report) -> impl Iterator<Item = FrontPicture> {

@@ -108,12 +108,10 @@ pub(super) fn figure_in_column(mut chart: Chart, caption: &str) -> Markup {
 fn drawn(svg: &str, caption: &str) -> Markup {
     // Inside HTML an SVG needs no namespace.
     let picture = svg.replacen(" xmlns=\"http://www.w3.org/2000/svg\"", "", 1);
-    html! {
-        figure {
-            div.picture role="img" aria-label=(caption) { (PreEscaped(picture)) }
-            figcaption { (caption) "." }
-        }
-    }
+    html! { figure {
+        div.picture role="img" aria-label=(caption) { (PreEscaped(picture)) }
+        figcaption { (caption) "." }
+    } }
 }
 
 /// Text for readers who have neither the case file nor the program: without its marks, and without commands.
@@ -135,22 +133,16 @@ pub(super) fn table<R: Into<Row>>(head: &[&str], rows: impl IntoIterator<Item = 
     let is_long = |row: &Row| row.cells.iter().skip(1).any(|cell| cell.chars().count() > SHORT);
     let is_wide = head.len() > 3 || rows.iter().any(is_long);
     html! {
-        div.table {
-            table.{ "columns-" (head.len()) }.wide[is_wide] {
-                thead { tr { @for cell in head { th scope="col" { (cell) } } } }
-                tbody {
-                    @for row in &rows {
-                        tr.belongs[row.belongs] {
-                            @for (i, (cell, name)) in row.cells.iter().zip(head).enumerate() {
-                                td class=[row.light.filter(|_| i == 0).map(Light::name)] data-column=[is_wide.then_some(name)] {
-                                    (in_words(cell))
-                                }
-                            }
-                        }
+        div.table { table.{ "columns-" (head.len()) }.wide[is_wide] {
+            thead { tr { @for cell in head { th scope="col" { (cell) } } } }
+            tbody { @for row in &rows { tr.belongs[row.belongs] {
+                @for (i, (cell, name)) in row.cells.iter().zip(head).enumerate() {
+                    td class=[row.light.filter(|_| i == 0).map(Light::name)] data-column=[is_wide.then_some(name)] {
+                        (in_words(cell))
                     }
                 }
-            }
-        }
+            } } }
+        } }
     }
 }
 

@@ -5,7 +5,7 @@ use crate::assess::estimate::draw_ratio;
 
 const COLUMNS: [(&str, &str); 8] = [
     ("Travel", "travel"),
-    ("Punch, peak", "peak_punch_force"),
+    ("Force, peak", "peak_punch_force"),
     ("Holder, peak", "peak_holder_force"),
     ("Pressure, peak", "peak_pressure"),
     ("Thinnest", "thinnest"),
@@ -83,14 +83,13 @@ fn value(report: &Report, i: usize, key: &str) -> Option<String> {
 
 fn by_stage(report: &Report, stages: &[usize], columns: Vec<(&str, Vec<Option<String>>)>) -> Markup {
     let columns: Vec<_> = columns.into_iter().filter(|(_, values)| values.iter().any(Option::is_some)).collect();
-    let head: Vec<&str> = std::iter::once("Stage").chain(columns.iter().map(|(label, _)| *label)).collect();
     let rows = stages.iter().enumerate().map(|(k, i)| {
         let label = report.stage(*i);
         let label = if label.is_empty() { "1".to_owned() } else { label.trim_end_matches(": ").to_owned() };
         let values = columns.iter().map(|(_, values)| values[k].clone().unwrap_or_else(|| "–".to_owned()));
         Row { cells: std::iter::once(label).chain(values).collect(), ..Row::default() }
     });
-    table(&head, rows)
+    table(&std::iter::once("Stage").chain(columns.iter().map(|(label, _)| *label)).collect::<Vec<_>>(), rows)
 }
 
 fn with_new_tools<'a>(report: &'a Report) -> impl Iterator<Item = usize> + 'a {

@@ -18,7 +18,8 @@ pub fn dimensions(model: &Model, start: Option<&Frame>) -> Vec<Dimension> {
     let mut found = Vec::new();
     if start.is_none() {
         let at = |share: f64| Point::new(blank.node(share * blank.length)[0], blank.node(share * blank.length)[1]);
-        found.push(wide(model, "Blank", Amount::set, at(1.0)));
+        let outside = 0.5 * if blank.is_open() { blank.thickness } else { 0.0 } * Point::x();
+        found.push(wide(model, "Blank", Amount::set, at(1.0) + outside));
         found.push(plain("Thickness", Amount::size(blank.thickness), at(0.8)));
         let length = || plain("Length along the sheet", Amount::set(blank.length), at(0.5));
         found.extend(blank.meridian.as_ref().map(|_| length()));
@@ -34,17 +35,16 @@ pub fn dimensions(model: &Model, start: Option<&Frame>) -> Vec<Dimension> {
             wide(model, name, Amount::drawn, Point::new(r, height) + moved)
         };
         match tool.role {
-            Role::Punch => found.push(across("Punch", extent(tool).1)),
             Role::Die => {
-                found.extend(throat(tool).map(|r| across("Die throat", r)));
+                let of = if model.is_stretch_bent() { "Clamps, inner".into() } else { name.clone() + " throat" };
+                found.extend(throat(tool).map(|r| across(&of, r)));
                 let land = tool.profile.land().zip(tool.profile.pieces().iter().rev().nth(1));
                 found.extend(land.map(|([land, _], piece)| {
                     plain("Die land", Amount::drawn(land), 0.5 * (piece.first() + piece.last()) + moved)
                 }));
             }
             Role::Holder => found.push(across("Holder inner", extent(tool).0)),
-            Role::Pad => found.push(across("Pad", extent(tool).1)),
-            Role::Upper(_) | Role::Lower(_) => found.push(across(&name, extent(tool).1)),
+            Role::Punch | Role::Pad | Role::Upper(_) | Role::Lower(_) => found.push(across(&name, extent(tool).1)),
         }
         found.extend(roundings(tool, moved, &name));
         found.extend(load(model, tool, moved, &name));

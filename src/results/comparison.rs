@@ -218,8 +218,7 @@ impl<'a> Reference<'a> {
 
 fn held_at_ends(rising: &[(f64, f64)], x: f64) -> Option<f64> {
     let ([first, second, ..], [.., before, last]) = (rising, rising) else { return None };
-    let is_near = first.0 - x <= second.0 - first.0 && x - last.0 <= last.0 - before.0;
-    is_near.then(|| interpolated(rising, x))
+    (first.0 - x <= second.0 - first.0 && x - last.0 <= last.0 - before.0).then(|| interpolated(rising, x))
 }
 
 fn interval(values: impl IntoIterator<Item = f64>) -> Option<[f64; 2]> {

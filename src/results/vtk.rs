@@ -43,7 +43,6 @@ fn grid(model: &Model, frame: &Frame) -> String {
     let thinning = frame.elements.iter().map(percent).collect();
     let others = [S0].into_iter().chain(tables::element_fields(model));
     let others = others.map(|field| field.column(model.extent(), &frame.elements));
-    let fields = [Column::new("thinning", "Thinning", Unit::Percent, thinning)].into_iter().chain(others);
     let (nodes, cells) = (frame.nodes.len(), frame.elements.len());
     let points = (0..nodes).flat_map(|i| [1.0, -1.0].map(|side| sections::surface(frame, i, side)));
     let corners = (0..cells).flat_map(|e| [2 * e, 2 * e + 1, 2 * e + 3, 2 * e + 2]);
@@ -59,7 +58,7 @@ fn grid(model: &Model, frame: &Frame) -> String {
     array(&mut text, "type=\"Int64\" Name=\"offsets\"", (1..=cells).map(|i| 4 * i));
     array(&mut text, "type=\"UInt8\" Name=\"types\"", std::iter::repeat_n(QUADRILATERAL, cells));
     text.push_str("</Cells>\n<CellData Scalars=\"thinning [%]\">\n");
-    for field in fields {
+    for field in [Column::new("thinning", "Thinning", Unit::Percent, thinning)].into_iter().chain(others) {
         let unit = match field.unit.spelled() {
             "" => "-",
             "percent" => "%",

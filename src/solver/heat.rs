@@ -54,8 +54,7 @@ pub(super) fn advance(converged: &Converged, plastic: &[f64], state: &mut State)
         rhs[e] -= factor * rhs[e - 1];
     }
     for e in (0..n).rev() {
-        let next = if e + 1 < n { off[e] * state.temperature[e + 1] } else { 0.0 };
-        state.temperature[e] = (rhs[e] - next) / diagonal[e];
+        state.temperature[e] = (rhs[e] - if e + 1 < n { off[e] * state.temperature[e + 1] } else { 0.0 }) / diagonal[e];
     }
     let steps = state.temperature.iter().zip(&step.state.temperature);
     for (rates, (now, then)) in state.temperature_rates.iter_mut().zip(steps) {

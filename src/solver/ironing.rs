@@ -12,8 +12,7 @@ pub(super) fn add(converged: &Converged, next: &mut State, record: &mut StepReco
     let (mut most, times) = (0, step.model.extent().times());
     for e in 0..next.ironed.len() {
         if is_between_walls(step, evaluation, e) {
-            let thinned = (step.state.thickness[e] / next.thickness[e]).ln();
-            next.ironed[e] = next.ironed[e].map(|ironed| ironed + thinned);
+            next.ironed[e] = next.ironed[e].map(|ironed| ironed + (step.state.thickness[e] / next.thickness[e]).ln());
             for (j, tool) in step.context.tools.iter().enumerate() {
                 for contact in &evaluation.contacts.row(j)[STATIONS * e..STATIONS * (e + 1)] {
                     record.ironing_pressure = record.ironing_pressure.max(contact.pressure.value);

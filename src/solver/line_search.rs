@@ -62,8 +62,7 @@ impl LineSearch {
             return None;
         }
         self.rounds += 1;
-        let kept = (self.start / (self.start - now)).clamp(KEPT[0], KEPT[1]);
-        let back = (1.0 - kept) * self.length;
+        let back = (1.0 - (self.start / (self.start - now)).clamp(KEPT[0], KEPT[1])) * self.length;
         self.length -= back;
         Some(back)
     }

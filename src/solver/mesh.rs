@@ -48,8 +48,7 @@ fn graded(model: &Model, n: usize, zones: &[Zone]) -> Vec<f64> {
     let of_zones = |k: usize| {
         let s = start + length * (k as f64 + 0.5) / SAMPLES as f64;
         zones.iter().fold(f64::NEG_INFINITY, |density, z| {
-            let away = (z.from - s).max(s - z.to).max(0.0);
-            density.max((1.0 - away / (6.0 * z.size)) / z.size)
+            density.max((1.0 - (z.from - s).max(s - z.to).max(0.0) / (6.0 * z.size)) / z.size)
         })
     };
     let of_zones: Vec<f64> = (0..SAMPLES).map(of_zones).collect();
@@ -70,8 +69,7 @@ fn graded(model: &Model, n: usize, zones: &[Zone]) -> Vec<f64> {
     for (k, density) in of_zones.iter().enumerate() {
         let step = scale * density.max(floor) * length / SAMPLES as f64;
         while nodes.len() < n && passed + step >= nodes.len() as f64 {
-            let share = (nodes.len() as f64 - passed) / step;
-            nodes.push(start + length * (k as f64 + share) / SAMPLES as f64);
+            nodes.push(start + length * (k as f64 + (nodes.len() as f64 - passed) / step) / SAMPLES as f64);
         }
         passed += step;
     }

@@ -101,8 +101,7 @@ impl<'a> Step<'a> {
 
     /// Share of the forces of removed tools that is left at a time \[–\].
     pub fn unloading_left(&self, time: f64) -> f64 {
-        let over = if self.model.release.is_some() { 1.0 } else { FADING };
-        (1.0 - time / (over * self.model.duration)).max(0.0)
+        (1.0 - time / ((if self.model.release.is_some() { 1.0 } else { FADING }) * self.model.duration)).max(0.0)
     }
 
     /// Cut-off Δε₀ of the step times `softening` \[–\].
@@ -191,8 +190,7 @@ pub(super) fn half_thickness_difference(references: &[Reference], thickness: &[f
     let along = |e: usize| {
         let (before, after) = (e.max(1) - 1, (e + 1).min(last));
         let apart: f64 = (before..after).map(|i| 0.5 * (references[i].length + references[i + 1].length)).sum();
-        let slope = if apart > 0.0 { (thickness[after] - thickness[before]) / apart } else { 0.0 };
-        0.5 * slope * references[e].length
+        0.5 * (if apart > 0.0 { (thickness[after] - thickness[before]) / apart } else { 0.0 }) * references[e].length
     };
     (0..=last).map(along).collect()
 }

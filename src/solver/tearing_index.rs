@@ -108,8 +108,7 @@ fn curvature(state: &State, e: usize) -> f64 {
         a.perp(&b).atan2(a.dot(&b)) / (0.5 * (a.norm() + b.norm()))
     };
     // The section goes on beyond the axis as before it, and the edge is straight.
-    let second = if e == last { 0.0 } else { bend(e + 1) };
-    (0.5 * (bend(e.clamp(1, last)) + second)).abs()
+    (0.5 * (bend(e.clamp(1, last)) + if e == last { 0.0 } else { bend(e + 1) })).abs()
 }
 
 /// Trust: by hand, ρ ln(1 + 1/ρ) of inner radii of 1.5, 3 and 6 mm on a sheet of 1 mm.

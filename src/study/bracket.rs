@@ -123,8 +123,7 @@ impl Search {
     fn untried(&self, trials: &[Trial], shares: &[f64]) -> Vec<f64> {
         let mut values: Vec<f64> = Vec::new();
         for x in shares.iter().map(|share| self.at(*share)) {
-            let is_new = !values.contains(&x) && !trials.iter().any(|(tried, _)| *tried == x);
-            values.extend(is_new.then_some(x));
+            values.extend((!values.contains(&x) && !trials.iter().any(|(tried, _)| *tried == x)).then_some(x));
         }
         values
     }

@@ -65,7 +65,7 @@ impl Kind {
 fn read<Q: Dimensioned>(text: &str) -> Result<Q, QuantityError> {
     let (kind, found, parsed) = (Q::KIND, text.trim(), parse(text)?);
     // A bare 8 would be 800 %.
-    if parsed.dimension == kind.dimension() && !(kind.unit == "%" && !parsed.has_unit) {
+    if parsed.dimension == kind.dimension() && (kind.unit != "%" || parsed.has_unit) {
         return Q::checked(parsed.value, found);
     }
     if !parsed.has_unit {

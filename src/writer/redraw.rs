@@ -56,8 +56,7 @@ impl Ring {
     pub fn die(&self) -> String {
         let (start, far) = (self.cone_start(), 1.5 * self.outer);
         let center = Point::new(self.throat + self.shoulder, 0.0);
-        let throat =
-            [(Point::new(self.throat, 0.0), Some((center, false))), (Point::new(self.throat, 4.0 * far), None)];
+        let wall = [(Point::new(self.throat, 0.0), Some((center, false))), (Point::new(self.throat, 4.0 * far), None)];
         if self.is_reverse {
             let corner = self.nose.min(self.outer - self.throat - self.shoulder);
             let [rim, face] = [corner - self.shoulder, -self.shoulder];
@@ -69,9 +68,9 @@ impl Ring {
             ];
             // Two arcs that meet leave no flat between them.
             let flat = usize::from(self.outer - corner - self.throat - self.shoulder > 1e-3);
-            return profile_text(Point::new(self.outer, 4.0 * far), &[&lip[..2 + flat], &throat].concat(), mm);
+            return profile_text(Point::new(self.outer, 4.0 * far), &[&lip[..2 + flat], &wall].concat(), mm);
         }
-        let steps = [&[(start, None)], &throat[..]].concat();
+        let steps = [&[(start, None)], &wall[..]].concat();
         profile_text(Point::new(far, start.y - (far - start.x) * CONE.to_radians().tan()), &steps, mm)
     }
 

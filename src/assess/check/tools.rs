@@ -4,7 +4,7 @@ use super::{Line, line, number, size_of};
 use crate::assess::estimate;
 use crate::contact::friction::Friction;
 use crate::geometry::Piece;
-use crate::model::tool_sizes::{embosses, extent, mouth, name_on_tube, throat, widens};
+use crate::model::tool_sizes::{embosses, extent, mouth, throat, widens};
 use crate::model::{Bead, Edge, Face, Gas, Geometry, Mode, Model, Motion, Pressure, Role, Tool, stage::Stage};
 use crate::rules::Metal;
 use crate::units::{Amount, Digits, Unit, joined};
@@ -56,8 +56,7 @@ pub fn of_tool(model: &Model, tool: &Tool) -> Line {
     };
     let drive = tool.role.further().map_or_else(String::new, |_| drive(model, tool));
     let meaning = joined([of, drive, mouth, opening(tool), corners(tool, model.blank.thickness), friction], ", ");
-    let on_tube = tool.role == Role::Punch && model.blank.is_open();
-    line(if on_tube { name_on_tube(tool) } else { model.name_of(tool.role) }, size, meaning)
+    line(model.name_of(tool.role), size, meaning)
 }
 
 fn opening(tool: &Tool) -> String {

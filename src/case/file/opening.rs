@@ -19,8 +19,7 @@ impl ToolContext<'_> {
         source.refuse("tools.die", alone, why, "add cone = \"30 deg\" or tractrix = true")?;
         let lengths = [die.mouth, die.mouth_diameter, die.mouth];
         let keys = ["mouth", "mouth_diameter", "mouth"];
-        let is_given = lengths.iter().any(Option::is_some);
-        let mouth = if is_given { self.radius("tools.die", keys, lengths)? } else { length };
+        let mouth = if lengths.iter().any(Option::is_some) { self.radius("tools.die", keys, lengths)? } else { length };
         let cone = die.cone.map(|angle| Entry::Cone { angle: angle.value(), mouth });
         let entry = if has_entry { cone.unwrap_or(Entry::Tractrix { mouth }) } else { Entry::Shoulder };
         let opening = Opening { throat, shoulder, entry, land };

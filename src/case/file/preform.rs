@@ -84,8 +84,7 @@ pub fn read(folder: &str, thickness: f64, geometry: Geometry, source: &Source) -
     };
     let draws = summary["draws_mm"].as_array().into_iter().flatten().filter_map(serde_json::Value::as_f64).collect();
     let (thickness, strains) = (curve(3)?, [curve(4)?, curve(5)?, curve(6)?]);
-    let earlier =
-        Preform { folder: folder.to_owned(), material: written("hardening"), doubt, draws, thickness, strains };
+    let run = Preform { folder: folder.to_owned(), material: written("hardening"), doubt, draws, thickness, strains };
     source.note(format!("the sheet is that of {folder} at its end, without its stresses, bending strains and damage"));
-    Ok((profile, earlier))
+    Ok((profile, run))
 }

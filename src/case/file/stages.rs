@@ -154,7 +154,8 @@ impl StageContext<'_> {
         }
         let mut model = self.at_rest();
         for (k, name) in self.written.remove.iter().enumerate() {
-            let removed = model.tools.iter().position(|tool| model.name_of(tool.role) == name);
+            let names = |tool: &model::Tool| [tool.role.name(), model.name_of(tool.role)];
+            let removed = model.tools.iter().position(|tool| names(tool).contains(&name.as_str()));
             let what = format!("there is no {name} to remove");
             self.require(removed.is_some(), &format!("remove.{k}"), what, "drop it")?;
             removed.map(|at| model.tools.remove(at));

@@ -168,8 +168,7 @@ pub fn radius_of(
         Geometry::Axisymmetric => ("axisymmetric", "plane-strain", 0, 2..3),
         Geometry::PlaneStrain => ("plane strain", "axisymmetric", 2, 0..2),
     };
-    let wrong = |i: usize| Some((i, lengths[i].filter(|_| keys[i] != keys[own])?));
-    if let Some((i, length)) = foreign.find_map(wrong) {
+    if let Some((i, length)) = foreign.find_map(|i: usize| Some((i, lengths[i].filter(|_| keys[i] != keys[own])?))) {
         let half = if i == 1 { 0.5 } else { 1.0 } * length.value();
         let what = format!("`{}` belongs to {other} cases, this one is {name}", keys[i]);
         let help = format!("write {} = \"{} mm\", or change `geometry`", keys[own], rounded(half));

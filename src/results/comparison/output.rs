@@ -53,8 +53,7 @@ impl Comparison {
     fn worst_at(&self) -> Option<String> {
         let x = (1e3 * self.worst_point()?.x).round() / 1e3;
         let unit = if self.x.unit == Unit::None { "" } else { self.x.unit.symbol() };
-        let place = format!("{} = {x} {unit}", self.x.label.to_lowercase());
-        Some(format!("{} at {}", self.worst()?, place.trim_end()))
+        Some(format!("{} at {}", self.worst()?, format!("{} = {x} {unit}", self.x.label.to_lowercase()).trim_end()))
     }
 
     /// Accepted range: `5 %` of a curve, `467.3 to 468.5 mm`.
@@ -222,8 +221,7 @@ pub(in crate::results) fn files(results: &Results) -> Files {
 
 pub(in crate::results) fn is_comparison(name: &str) -> bool {
     let stem = name.strip_suffix(".csv").or(Format::stem(name));
-    let parts = stem.and_then(|stem| stem.strip_prefix(PREFIX)).and_then(|rest| rest.split_once('_'));
-    parts.is_some_and(|(n, quantity)| {
-        n.parse::<usize>().is_ok() && ComparedQuantity::ALL.iter().any(|own| own.name() == quantity)
-    })
+    stem.and_then(|stem| stem.strip_prefix(PREFIX)).and_then(|rest| rest.split_once('_')).is_some_and(
+        |(n, quantity)| n.parse::<usize>().is_ok() && ComparedQuantity::ALL.iter().any(|own| own.name() == quantity),
+    )
 }

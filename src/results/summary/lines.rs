@@ -66,16 +66,16 @@ impl Lines<'_> {
         let until = models().position(|other| other == model).map_or(0, |own| own + 1);
         self.plain("draws_mm", "", draws(models().take(until)));
         if model.travel > 0.0 {
-            let peak = run.steps.iter().copied().max_by(|a, b| a.punch_force.total_cmp(&b.punch_force));
-            let peak = peak.unwrap_or_default();
-            let worker = model.name_of(model.worker());
-            self.number("travel", &format!("{} travel reached", capitalised(worker)), Amount::place(last.travel));
-            self.number("peak_punch_force", "Peak punch force", self.force(peak.punch_force));
+            let loads = run.steps.iter().copied().zip(run.working_force());
+            let (peak, force) = loads.max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or_default();
+            self.number("travel", &format!("{} reached", capitalised(&view.progress())), Amount::place(last.travel));
+            self.number("peak_punch_force", &format!("Peak {}", model.force_label().to_lowercase()), self.force(force));
             self.number("peak_travel", "  at a travel of", Amount::place(peak.travel));
         }
         if !model.gas.is_empty() {
             self.number("peak_pressure", "Largest pressure", Amount::stress(largest(run, |s| s.pressure.abs())));
-            self.number("pole_height", "Height of the middle", Amount::place(last.pole_height));
+            let height = Some(last.pole_height).filter(|_| !model.blank.is_open());
+            self.number("pole_height", "Height of the middle", height.map(Amount::place));
         }
         if let Some(control) = model.rate_control() {
             let rate = |rate| Amount::new(rate, Unit::PerSecond, Digits::Significant(3));
@@ -98,15 +98,17 @@ impl Lines<'_> {
     fn part(&mut self) {
         let Self { view, model, run, last, .. } = *self;
         let end = run.frames.last();
+        let is_open = model.blank.is_open();
         self.number("part_height", "Height over all", end.and_then(part_height).map(Amount::place));
         if let Some(changes) = tables::springback_changes(run) {
             self.add("springback", "Spring-back", Value::changes(&changes));
-        } else if let Some(angle) = end.and_then(|end| Shape::of(end).wall_angle()) {
+        } else if let Some(angle) = end.filter(|_| !is_open).and_then(|end| Shape::of(end).wall_angle()) {
             self.number("wall_angle", "Wall to the punch direction", Amount::angle(angle));
         }
         let over_initial = |thickness, s0| Amount::share(thickness / model.blank.unformed_thickness(s0));
-        let from =
-            worded(model.geometry, "  at s0, initially from the axis", "  at s0, initially from the symmetry plane");
+        let from = worded(model.geometry, "from the axis", "from the symmetry plane");
+        let from = &format!("  at s0, initially {}", if is_open { "along the sheet" } else { from });
+        self.number("stretch", "Stretch between the clamps", stretch(run).map(Amount::share));
         self.number("thinnest", "Thinnest place", Amount::thickness(last.thinnest));
         let share = over_initial(last.thinnest, last.thinnest_s0);
         self.number("thinnest_over_initial", "  over the initial thickness", share);
@@ -138,7 +140,7 @@ impl Lines<'_> {
             }
         }
         match model.blank.edge {
-            Edge::Free => self.number("draw_in", "Draw-in of the edge", Amount::draw_in(last.draw_in)),
+            Edge::Free if !is_open => self.number("draw_in", "Draw-in of the edge", Amount::draw_in(last.draw_in)),
             _ => self.plain("draw_in_mm", "", rounded(last.draw_in)),
         }
     }
@@ -237,16 +239,12 @@ impl Lines<'_> {
         self.number("velocity_norm", "Largest accepted velocity norm", known.reduce(f64::max).map(Amount::norm));
         self.number("residual_norm", "Largest accepted residual norm", Amount::norm(largest(run, |s| s.residual_norm)));
         self.plain("rejected", "Rejected tries", count(|s| s.rejected) + effort.abandoned);
-        for (key, count) in [
-            ("steps_from_predictor", effort.predictor),
-            ("steps_from_secant", effort.secant),
-            ("steps_from_softened", effort.softened),
-            ("steps_halved", effort.halved),
-            ("steps_overstrained", effort.overstrained),
-            ("steps_overstepped", effort.overstepped),
-        ] {
-            self.plain(key, "", count);
-        }
+        self.plain("steps_from_predictor", "", effort.predictor);
+        self.plain("steps_from_secant", "", effort.secant);
+        self.plain("steps_from_softened", "", effort.softened);
+        self.plain("steps_halved", "", effort.halved);
+        self.plain("steps_overstrained", "", effort.overstrained);
+        self.plain("steps_overstepped", "", effort.overstepped);
         self.number("wall_time", "Wall time", view.wall.map(|wall| Amount::time(wall.as_secs_f64())));
         self.plain("program", "", concat!(env!("CARGO_PKG_NAME"), " ", env!("CARGO_PKG_VERSION")));
         self.plain("case_sha256", "", sha256([view.case.map_or("", |case| &case.text)]));

@@ -5,7 +5,7 @@ mod lines;
 use super::{StageView, stages, tables};
 use crate::assess::{Kind, check, draws, holder_lift, largest, sentences};
 use crate::case::{Solution, files::sha256};
-use crate::measure::{Change, Event, Shape, events, moment_error, part_height, thickest};
+use crate::measure::{Change, Event, Shape, events, moment_error, part_height, stretch, thickest};
 use crate::model::{Edge, Extent, Grading, Mode, Model, Role, Theory};
 use crate::plot::{axis::capitalised, stop_text};
 use crate::solver::solution::{StageSolution, StepRecord, StopKind};
@@ -118,12 +118,10 @@ impl Value {
             [String::new(), format!("{at}: {}", event.kind.label(&run.model))]
         };
         let entry = |event: &Event| {
+            let [travel, time, load] = [event.travel, event.time, event.force].map(rounded);
             json!({
-                "key": event.kind.key(&run.model),
-                "what": event.kind.label(&run.model),
-                Unit::Mm.keyed("travel"): rounded(event.travel),
-                Unit::Second.keyed("time"): rounded(event.time),
-                force.keyed("punch_force"): rounded(event.force),
+                "key": event.kind.key(&run.model), "what": event.kind.label(&run.model), force.keyed("punch_force"): load,
+                Unit::Mm.keyed("travel"): travel, Unit::Second.keyed("time"): time,
             })
         };
         Self::Rows(events.iter().map(row).collect(), events.iter().map(entry).collect())
@@ -149,13 +147,9 @@ impl Value {
             [format!("  {}", change.quantity.label), format!("{change}{by}")]
         };
         let entry = |change: &Change| {
-            json!({
-                "key": change.quantity.key,
-                "unit": change.quantity.unit.spelled(),
-                "before": change.before.map(rounded),
-                "after": change.after.map(rounded),
-                "change": change.change().map(rounded),
-            })
+            let [before, after, by] = [change.before, change.after, change.change()].map(|value| value.map(rounded));
+            let (key, unit) = (change.quantity.key, change.quantity.unit.spelled());
+            json!({ "key": key, "unit": unit, "before": before, "after": after, "change": by })
         };
         let head = [String::new(), "before → after (change)".to_owned()];
         Self::Rows(std::iter::once(head).chain(changes.iter().map(row)).collect(), changes.iter().map(entry).collect())

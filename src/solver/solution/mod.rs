@@ -98,10 +98,10 @@ impl StageSolution {
         tools.map(|(j, tool)| (self.model.name_of(tool.role), self.pressing(j)))
     }
 
-    /// Force on the sheet at each of the steps of the further tool that [works](Model::worker), else of the punch \[N, or N/mm\].
+    /// Force at each step of the further tool that [works](Model::worker), else of the punch, or of a tube's feed \[N, or N/mm\].
     pub fn working_force(&self) -> Vec<f64> {
         let worker = Some(self.model.worker()).filter(|role| role.further().is_some());
-        let punch = || self.steps.iter().map(|step| step.punch_force).collect();
+        let punch = || self.steps.iter().map(|step| step.punch_force + self.model.thrust(step.pressure)).collect();
         worker.and_then(|role| self.model.tool_index(role)).map_or_else(punch, |j| self.pressing(j))
     }
 

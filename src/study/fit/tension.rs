@@ -99,13 +99,9 @@ pub(super) fn rows(csv: &Csv, name: &str, reduction: &Reduction) -> Result<(Vec<
     let few = format!("{name} has {} rows with strain and stress, fewer than {FEWEST}", rows.len());
     let compression = format!("{name} is a test in compression: its strains or stresses are negative");
     let is_tension = is_positive(|row| row.strain) && is_positive(|row| row.stress);
-    for (holds, what, help) in [
-        (rows.len() >= FEWEST, few, EXAMPLE),
-        (is_tension, compression, "for a law of hardening, give both positive"),
-        (back.is_none(), back.unwrap_or_default(), "one test a file, without unloading: cut out what goes back"),
-    ] {
-        ensure(holds, what, help)?;
-    }
+    ensure(rows.len() >= FEWEST, few, EXAMPLE)?;
+    ensure(is_tension, compression, "for a law of hardening, give both positive")?;
+    ensure(back.is_none(), back.unwrap_or_default(), "one test a file, without unloading: cut out what goes back")?;
     Ok((rows, strain_column.is_plastic))
 }
 
