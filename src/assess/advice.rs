@@ -39,7 +39,8 @@ pub fn advise(findings: &mut [Finding], tried: &[Tried]) {
     let worsens = |new: &Finding| new.light > own(new.key).max(Light::Green);
     let mut helpful: Vec<(&Tried, usize, f64)> = Vec::new();
     for one in tried.iter().filter(|one| !judgements(&one.findings).any(worsens)) {
-        let open = findings.iter().enumerate().filter(|(_, row)| is_open(row));
+        // The gap or a ring more is what a shop changes.
+        let open = findings.iter().enumerate().filter(|(_, row)| is_open(row) && row.key != "ironing");
         let gains = open.filter_map(|(i, row)| Some((i, one.gain(row)?)));
         helpful.extend(gains.min_by_key(|(i, _)| Reverse(findings[*i].light)).map(|(row, gain)| (one, row, gain)));
     }

@@ -25,11 +25,11 @@ impl FailureMode {
     pub fn all(stages: &[StageSolution], findings: &[Finding]) -> Vec<Self> {
         use StopKind::{Coalesced, EdgeLimit, LoadMaximum, Localised, NoEquilibrium, PressureMaximum};
         let Some(stop) = stages.last().map(|stage| &stage.stop) else { return vec![Self::NoResult] };
-        let is_tear = matches!(stop.kind, Localised | Coalesced | EdgeLimit | LoadMaximum | PressureMaximum);
+        let stops_torn = matches!(stop.kind, Localised | Coalesced | EdgeLimit | LoadMaximum | PressureMaximum);
         let red = judgements(findings).filter(|finding| finding.light == Light::Red).map(|finding| finding.key);
         let mode = |key| match key {
-            "stop" if is_tear => Self::Tears,
-            "thinning" | "localisation" | "forming_limit" | "fracture" | "edge" | "tearing" => Self::Tears,
+            "stop" if stops_torn => Self::Tears,
+            _ if is_tear(key) => Self::Tears,
             "wrinkling" | "wall_wrinkles" | "fold" => Self::Wrinkles,
             "press_force" | "energy" => Self::Press,
             _ => Self::Other,
@@ -42,4 +42,8 @@ impl FailureMode {
         let tore_before = stop.kind == NoEquilibrium && modes.first() == Some(&Self::Tears);
         if is_lost && !tore_before { vec![Self::NoResult] } else { modes }
     }
+}
+
+pub(super) fn is_tear(key: &str) -> bool {
+    ["thinning", "localisation", "forming_limit", "fracture", "edge", "tearing"].contains(&key)
 }

@@ -1,8 +1,10 @@
 //! Filling of a hollow die by pressure: the gap that is left between sheet and die, and the radius in its corner.
 
 use super::{tear::place, *};
-use crate::geometry::{Point, on_axis};
+use crate::geometry::{Bounds, Point, on_axis};
 
+/// Share of the die's depth that a gap may leave empty at most \[–\]: declared.
+const EMPTY: f64 = 0.1;
 /// Gap over the thickness up to which the sheet lies against the die, and above which it misses the die's form: declared \[–\].
 const GAPS: [f64; 2] = [0.1, 1.0];
 
@@ -49,10 +51,12 @@ impl Filling {
 
 pub(super) fn judge(run: &Run) -> Option<Finding> {
     let whole = |stage: &&StageSolution| stage.stop.is_complete();
-    let stage = run.stages.first().filter(whole)?;
+    let stage = run.stages.first().filter(whole).filter(|_| fold::first(run.stages).is_none())?;
     let (filling, pressure) = (Filling::of(stage)?, stage.steps.last()?.pressure.abs());
     let at = format!("{{}} between sheet and die at {}, {}", Amount::stress(pressure), filling.about(run.stages));
     let judged = Finding::judged("filling", "Filling", run.of_stage(at, 0)).number(Amount::thickness(filling.gap));
-    let [lies, missed] = GAPS.map(|times| times * stage.model.blank.thickness);
+    let around = Bounds::around(stage.model.tool(Role::Die)?.profile.pieces().iter().copied())?;
+    let most = EMPTY * (around.high - around.low).y;
+    let [lies, missed] = GAPS.map(|times| (times * stage.model.blank.thickness).min(most));
     Some(judged.at_most(lies, missed).advice("more pressure, or a larger corner radius of the die"))
 }

@@ -10,31 +10,64 @@ const NEAR: f64 = 0.9;
 /// Length between these over the thickness; round the sharpest bend, of radius t/2, it is π/2 \[–\].
 const APART: f64 = 3.0;
 
-/// Initial distance from the axis where the mid-surface comes near to itself \[mm\].
-pub fn folded(frame: &Frame) -> Option<f64> {
+/// Distance from every tool over the thickness beyond which a node of a tube is free \[–\].
+const FREE: f64 = 0.6;
+/// Height over the thickness of a ring that a tube's free wall has buckled into \[–\]: declared, elastic waves are far lower.
+const RING: f64 = 1.0;
+
+/// Initial distance from the axis where the mid-surface comes near to itself, or where a tube's wall has buckled \[mm\].
+pub fn folded(model: &Model, frame: &Frame) -> Option<f64> {
+    let ring = ring(model, frame).filter(|(_, height)| *height > RING * model.blank.thickness);
+    meets(frame).or_else(|| Some(frame.elements[ring?.0.min(frame.elements.len() - 1)].s0))
+}
+
+/// Node at which the free wall of a tube stands out or in most between lower places on both sides, and how far \[mm\].
+fn ring(model: &Model, frame: &Frame) -> Option<(usize, f64)> {
+    let nodes = &frame.nodes;
+    let is_free = |node: &NodeRecord| {
+        let tools = model.tools.iter().zip(&frame.tool_displacement);
+        let point = Point::new(node.r, node.z);
+        tools.into_iter().all(|(tool, moved)| tool.profile.closest(point - *moved).distance > FREE * node.thickness)
+    };
+    let over = |i: usize, sign: f64| {
+        let lowest = |side: &[NodeRecord]| side.iter().map(|node| sign * node.r).fold(f64::INFINITY, f64::min);
+        sign * nodes[i].r - lowest(&nodes[..i]).max(lowest(&nodes[i + 1..]))
+    };
+    // Pressure bulges a wall outward by itself.
+    let outward = if model.gas.is_empty() { 1.0 } else { -1.0 };
+    let inside = (1..nodes.len() - 1).filter(|i| model.blank.is_open() && is_free(&nodes[*i]));
+    inside.map(|i| (i, over(i, -1.0).max(over(i, outward)))).max_by(|a, b| a.1.total_cmp(&b.1))
+}
+
+fn meets(frame: &Frame) -> Option<f64> {
     let (nodes, along) = (&frame.nodes, along(frame));
     let point = |i: usize| Point::new(nodes[i].r, nodes[i].z);
-    let meets = |i: &usize| {
+    let is_near = |i: &usize| {
         let (segment, t) = (Piece::line(point(*i), point(i + 1)), nodes[*i].thickness);
         let is_apart = |j: &usize| along[*j] < along[*i] - APART * t || along[*j] > along[i + 1] + APART * t;
         let mut others = (0..nodes.len()).filter(is_apart).map(point);
         others.any(|other| (segment.closest_point(other) - other).norm() < NEAR * t)
     };
-    (0..frame.elements.len()).find(meets).map(|i| frame.elements[i].s0)
+    (0..frame.elements.len()).find(is_near).map(|i| frame.elements[i].s0)
 }
 
 pub(super) fn first(stages: &[StageSolution]) -> Option<(usize, &Frame)> {
     let (i, stage) = formed(stages).last()?;
-    folded(stage.frames.last()?)?;
-    Some((i, stage.frames.iter().find(|frame| folded(frame).is_some())?))
+    folded(&stage.model, stage.frames.last()?)?;
+    Some((i, stage.frames.iter().find(|frame| folded(&stage.model, frame).is_some())?))
 }
 
 pub(super) fn judge(run: &Run) -> Option<Finding> {
     let (i, frame) = first(run.stages)?;
     let stage = &run.stages[i];
-    let at = place(run.stages, folded(stage.frames.last()?)?);
+    let last = stage.frames.last()?;
+    let at = place(run.stages, folded(&stage.model, last)?);
     let instant = instant(stage, frame.travel, frame.time);
-    let text = run.of_stage(format!("the sheet folds onto itself {at}; seen from {instant} on"), i);
-    let judged = Finding::judged("fold", "Fold", text).light(Light::Red).limit("its faces stay apart");
+    let what = match (meets(last), ring(&stage.model, last)) {
+        (None, Some((_, height))) => format!("a ring {} high has buckled", Amount::place(height)),
+        _ => "the sheet folds onto itself".into(),
+    };
+    let text = run.of_stage(format!("{what} {at}; seen from {instant} on"), i);
+    let judged = Finding::judged("fold", "Fold", text).light(Light::Red).limit("faces apart, no ring of over 1 t");
     Some(judged.advice("less feed or travel, larger radii, or less reduction in one step"))
 }

@@ -7,6 +7,8 @@ use crate::rules::THIN;
 
 /// Share of the limit strain above which scatter of metal and process may reach it \[–\].
 pub const CAREFUL: f64 = 0.9;
+/// Tensile strength up to which steel bears an inside radius of its thickness \[MPa\].
+const WEAK: f64 = 390.0;
 
 pub(super) struct Nearest<'a> {
     pub curve: &'a Curve,
@@ -81,6 +83,18 @@ pub(super) fn margin(run: &Run) -> Option<Finding> {
         false => "the case's curve; the share is a declared rule of thumb",
     };
     Some(judged.light(light).limit(format!("below {}; of {name}", Amount::given_share(CAREFUL))).source(source))
+}
+
+/// Inside radius of the sharpest bend against the least of DIN 6935, about t for each 390 MPa of tensile strength (not read).
+pub(super) fn bend(run: &Run) -> Option<Finding> {
+    let bend =
+        run.largest(|step| step.sharpest_bend).filter(|bend| *bend > 0.0 && fold::first(run.stages).is_none())?;
+    let least = (estimate::flange_strength(run.case.model()) / WEAK).max(1.0);
+    let text = "bent to {} inside: cracks may open on the outer face, which the forming limit does not judge";
+    let judged = Finding::judged("bend_radius", "Bend radius", text).number(Amount::thicknesses(1.0 / bend - 0.5));
+    let judged =
+        judged.at_least(least, None).source("1 t up to 390 MPa of tensile strength, in proportion above: declared");
+    judged.advice("a larger radius, or a bending test of the coil").if_beyond()
 }
 
 fn unjudged(name: &str, open: &Judged, at: &str) -> Finding {

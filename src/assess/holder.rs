@@ -2,6 +2,7 @@
 
 use super::{estimate::flange_strength, estimate::held_from, estimate::holder_pressure, *};
 use crate::measure::rests_on_blocks;
+use crate::model::Bead;
 use crate::solver::closing_way;
 
 /// Lift over the thickness that is reported, and at which the flange is no longer held \[–\].
@@ -12,6 +13,8 @@ const OPEN: f64 = 0.1;
 const RUN_OUT: f64 = 2.0 * StepRecord::RIM;
 /// Normal pressure over the tensile strength that a shell, which yields without one, can overlook \[–\].
 const PRESSURE: f64 = 0.1;
+/// Pressure of a pad over the tensile strength from which it marks the sheet: declared \[–\].
+const MARKS: f64 = 0.5;
 /// Share of the holder's force on the rim alone from which it is reported \[–\].
 const RIM_SHARE: f64 = 0.9;
 /// Share of the travel from which resting on the blocks is reported \[–\].
@@ -68,6 +71,28 @@ pub(super) fn judge(run: &Run) -> Option<Finding> {
     Some(judged.limit(format!("{lifted} at most, red above {off}; at most {}", Amount::stress(most))).light(light))
 }
 
+/// Pressure of pads and other pressed tools but the holder on their faces.
+pub(super) fn pads(run: &Run) -> Option<Finding> {
+    let pressure = |(i, stage): (usize, &StageSolution), (j, tool): (usize, &Tool)| {
+        let (extent, (low, high)) = (stage.model.extent(), extent(tool));
+        let force = stage.pressing(j).into_iter().fold(0.0, f64::max);
+        let name = run.of_stage(stage.model.name_of(tool.role).into(), i);
+        (force / (extent.area(high) - extent.area(low)), name)
+    };
+    let is_pad = |tool: &Tool| tool.role != Role::Holder && matches!(tool.motion, Motion::Pressed(_));
+    let all = formed(run.stages).flat_map(|own| {
+        let pads = own.1.model.tools.iter().enumerate().filter(|(_, tool)| is_pad(tool));
+        pads.map(move |pad| pressure(own, pad))
+    });
+    let (most, name) = all.max_by(|a, b| a.0.total_cmp(&b.0))?;
+    let strength = flange_strength(run.case.model());
+    let text = format!("the {name} presses with {{}} on its face: it marks the sheet, then squeezes it");
+    let judged = Finding::judged("pad_pressure", "Pad pressure", text).number(Amount::stress(most));
+    let judged =
+        judged.at_most(MARKS * strength, strength).source("half of the tensile strength, and all of it: declared");
+    judged.advice("less force of it, or a larger face").if_beyond()
+}
+
 pub(super) fn rests(stage: &StageSolution) -> Option<Finding> {
     let (mut longest, mut from) = ([0.0; 2], 0.0);
     for record in &stage.steps {
@@ -91,6 +116,19 @@ pub(super) fn lost(stage: &StageSolution) -> Option<Finding> {
     let text = format!("the sheet left the {tool} at {{}} of travel; it stands still from there on");
     let warning = Finding::warning("holder_lost", "Holder", text).number(Amount::place(travel));
     Some(warning.at_least(stage.model.travel, None))
+}
+
+/// Edge that passes a bead, of one by its section half its width.
+pub(super) fn out_of_bead(stage: &StageSolution) -> Option<Finding> {
+    let blank = &stage.model.blank;
+    let left = |bead: &Bead| {
+        let most = blank.edge_radius() - bead.at - bead.round.map_or(0.0, |round| round.radius);
+        stage.steps.iter().find(|step| step.draw_in > most).map(|step| step.travel)
+    };
+    let travel = stage.model.beads.iter().filter_map(left).reduce(f64::min)?;
+    let warning = Finding::warning("bead_lost", "Bead", "the sheet runs out of its bead at {} of travel");
+    let warning = warning.number(Amount::place(travel)).at_least(stage.model.travel, None);
+    Some(warning.advice("a larger blank, or the bead further in")).filter(|_| !stage.model.stop.drawn_through)
 }
 
 /// Closing of holder and die over their slopes, by displacement \[mm\].

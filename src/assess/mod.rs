@@ -28,7 +28,7 @@ mod stop;
 mod tear;
 mod tools;
 
-pub use answer::Answer;
+pub use answer::{Answer, is_test};
 pub use draw::draws;
 pub use failure::FailureMode;
 pub use finding::{Finding, Kind, Light, When, by_advice, first_clause, headline, judgements, sentences, unchecked};
@@ -96,6 +96,8 @@ const ON_RUN: &[fn(&Run) -> Option<Finding>] = &[
     draw::delayed_cracking,
     draw::ears,
     draw::trim_allowance,
+    holder::pads,
+    forming_limit::bend,
     material::placeholders,
     material::yield_condition,
     material::hardening,
@@ -111,6 +113,7 @@ const ON_STAGE: &[fn(&StageSolution) -> Option<Finding>] = &[
     holder::stays_open,
     holder::rests,
     holder::lost,
+    holder::out_of_bead,
     solution_quality::yields_again,
 ];
 
@@ -132,14 +135,27 @@ pub fn after(case: &Case, stages: &[StageSolution]) -> Vec<Finding> {
     let of_stages = stages.iter().enumerate().flat_map(|(i, stage)| of_stage(i, stage));
     // Known before the run, and wrong with its result, if a run that ended as wished came so far.
     let whole = stages.first().filter(|stage| stage.stop.is_complete()).and_then(|stage| stage.steps.last());
-    let is_met = |finding: &Finding| whole.is_none_or(|end| finding.value().is_none_or(|from| from <= end.travel));
-    let of_case = [stop::earlier, tools::overlap].into_iter().filter_map(|find| find(case.model())).filter(is_met);
+    let is_met = |finding: &Finding| {
+        finding.key != "overlap" || whole.is_none_or(|end| finding.value().is_none_or(|from| from <= end.travel))
+    };
+    let of_case =
+        [stop::earlier, tools::overlap, tools::wide].into_iter().filter_map(|find| find(case.model())).filter(is_met);
     let of_case = of_case.map(|finding| Finding { kind: Kind::Judgement, light: Light::Red, ..finding });
-    // The tools of a test are those of its standard.
-    let is_test = answer::is_test(stages);
-    let of_tools = |finding: &Finding| is_test && finding.light > Light::Green && finding.key != "friction";
-    let advised = |finding: Finding| if of_tools(&finding) { finding.advice("") } else { finding };
-    of_case.chain(ON_RUN.iter().filter_map(|find| find(&run)).map(advised)).chain(of_stages).collect()
+    let on_run = ON_RUN.iter().filter_map(|find| find(&run));
+    let judged = on_run.map(|finding| if is_test(stages) { of_test(finding) } else { finding });
+    of_case.chain(judged).chain(of_stages).collect()
+}
+
+/// A test ends by the failure that it looks for, and its tools are those of its standard.
+fn of_test(mut finding: Finding) -> Finding {
+    if finding.key == "stop" || failure::is_tear(finding.key) {
+        finding.quantity.iter_mut().for_each(|number| number.limits = None);
+        finding = finding.light(Light::Green).limit("the end of the test");
+    }
+    if finding.key != "friction" {
+        finding.advice.clear();
+    }
+    finding
 }
 
 /// Findings to print with each stage: its warnings and all assumptions; with the first, also the warnings before the run.

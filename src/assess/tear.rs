@@ -54,6 +54,11 @@ pub(super) const TEARING: [f64; 2] = [0.9, 1.0];
 
 pub(super) fn remedy(model: &Model) -> &'static str {
     match (estimate::draw_ratio(model), model.tool(Role::Holder)) {
+        _ if estimate::has_land(model) => "one ring more, or a thicker wall",
+        _ if model.blank.is_open() => "less widening, larger radii, or less friction",
+        _ if model.geometry == Geometry::PlaneStrain && model.blank.edge != Edge::Free => {
+            "less stretch, a shallower part, or larger radii"
+        }
         _ if !model.beads.is_empty() => {
             "lower beads or larger radii of theirs; then larger radii of punch and die, less friction"
         }
@@ -85,7 +90,7 @@ pub(super) fn tearing(run: &Run) -> Option<Finding> {
     let [near, tears] = TEARING.map(|limit| 100.0 * limit);
     let near = if model.blank.edge == Edge::Free { near } else { tears };
     let judged = Finding::judged("tearing", "Tearing", run.of_stage(text, i)).number(Amount::share(step.tearing_index));
-    let judged = judged.at_most(near, tears).advice(remedy(run.case.model()));
+    let judged = judged.at_most(near, tears).advice(remedy(model));
     let judged = judged.source("Considère in plane strain, bent over the punch; 90 %: declared");
     (step.tearing_index > 0.0).then_some(judged)
 }

@@ -163,9 +163,9 @@ pub(super) fn ironing(run: &Run) -> Option<Finding> {
     let (careful, advice) = if run.stages.iter().any(|stage| estimate::has_land(&stage.model)) {
         (RING, "one ring more (`stampflow new … --rings`), or a thicker wall")
     } else if estimate::draw_ratio(run.case.model()).is_some() {
-        (LIGHTLY, "a wider gap between punch and die there (`stampflow new cup --clearance`), or one draw more")
+        (LIGHTLY, "a wider gap (`stampflow new cup --clearance`), or one draw more")
     } else {
-        (LIGHTLY, "a wider gap between the tools there")
+        (LIGHTLY, "a gap of 1 t or more between the tools")
     };
     let source = "up to 15 % a draw sizes its wall, 30 % of a ring (declared); in one pass (Chin. J. Mech. Eng. 2022, 10.1186/s10033-022-00681-9)";
     let judged = Finding::judged("ironing", "Ironing", text).number(Amount::share(most.ironing));

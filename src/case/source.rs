@@ -138,7 +138,8 @@ impl<'t> Source<'t> {
             "" => (key.to_owned(), "the case".to_owned()),
             _ => (format!("{table}.{key}"), format!("[{table}]")),
         };
-        let help = example(&path).map_or_else(|| format!("add [{path}]"), |line| format!("add a line such as {line}"));
+        let line = example(&path).or_else(|| (key == "friction").then(|| "friction = 0.1".into()));
+        let help = line.map_or_else(|| format!("add [{path}]"), |line| format!("add a line such as {line}"));
         self.error(table, format!("`{key}` is missing in {name}"), help)
     }
 

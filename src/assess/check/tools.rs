@@ -31,7 +31,7 @@ pub(super) fn lines(model: &Model) -> Vec<Line> {
 
 /// Name, size, drive, radii and friction of a tool.
 pub fn of_tool(model: &Model, tool: &Tool) -> Line {
-    let ((low, high), side) = (extent(tool), if tool.role.side() > 0.0 { "above" } else { "below" });
+    let ((low, high), side) = (extent(tool), if tool.role.side() > 0.0 { "die's side" } else { "punch's side" });
     let closed = tool.role == Role::Die && throat(tool).is_none();
     let range = || {
         let ends = [low, high].map(|half| (half > 0.0).then(|| size_of(model, half, Amount::drawn)));
@@ -48,7 +48,10 @@ pub fn of_tool(model: &Model, tool: &Tool) -> Line {
     };
     let of = if model.geometry == Geometry::PlaneStrain && !closed { format!("half-width {of}") } else { of.into() };
     let widens = tool.role == Role::Punch && !model.blank.is_open() && widens(tool, model.travel);
-    let mouth = widens.then(|| size_of(model, mouth(tool, model.travel), Amount::drawn));
+    // The edge of a hole is met first.
+    let front = |from: f64| tool.profile.extreme(true, [from, 1e6]).map_or(0.0, |point| point.y);
+    let depth = model.travel + front(0.0) - front(model.blank.hole);
+    let mouth = widens.then(|| size_of(model, mouth(tool, depth), Amount::drawn));
     let mouth = mouth.map_or_else(String::new, |mouth| format!("{mouth} at the sheet at the full travel"));
     let friction = match &tool.friction {
         Friction::Coulomb(_) => format!("friction {}", Amount::number(tool.friction.largest_coefficient())),
@@ -163,8 +166,12 @@ fn drive(model: &Model, tool: &Tool) -> String {
         Motion::Course(course) => format!("goes {} by its path", Amount::size(course.at(model.travel))),
         Motion::Pressed(press) => {
             let force = Amount::given_force(press.force.at(model.travel), model.extent().force_unit());
-            let is_constant = press.stiffness == 0.0 && press.force.smallest() == press.force.largest();
-            format!("presses with {force}{}", if is_constant { "" } else { " at the end" })
+            let more = Amount::given_force(press.stiffness, model.extent().force_unit());
+            match press.stiffness {
+                0.0 if press.force.smallest() == press.force.largest() => format!("presses with {force}"),
+                0.0 => format!("presses with {force} at the end"),
+                _ => format!("presses with {force} at first, and {more} more per mm"),
+            }
         }
         Motion::Fixed | Motion::Gap(_) => "stands".into(),
     }

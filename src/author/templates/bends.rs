@@ -56,7 +56,7 @@ pub(super) fn v_bend(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError
     if is_bottomed {
         return values([travel(turn), 0.0]);
     }
-    corrected("v-bend", 1, [travel(turn), 0.0], values, |bent| {
+    corrected("v-bend", 1, [travel(turn), 0.0], values, |_, bent| {
         Some([travel(turn) - travel(0.5 * (180.0 - Shape::of(bent).opening_angle()?).to_radians()), 0.0])
     })
 }

@@ -102,8 +102,8 @@ impl<'a> Cup<'a> {
             ensure(fits, what, "make --recess or --nose smaller, or --recess-radius other")?;
         }
         let first = self.inputs.number("first-radius");
-        let what = || format!("the first punch is no wider than the last one of {}", plain(radius));
-        ensure(first.is_none_or(|first| first > radius), what, "make --first-radius larger")?;
+        let what = || format!("the first punch is no wider than the last one of Ø {}", plain(2.0 * radius));
+        ensure(first.is_none_or(|first| first > radius), what, "make --first-radius or --first-diameter larger")?;
         let outside = radius + thickness;
         let what = || format!("the flange is narrower than the cup, which has {} of radius outside", plain(outside));
         ensure(flange.is_none_or(|flange| flange > outside), what, "make the flange larger, or leave it out")?;
@@ -286,7 +286,11 @@ impl<'a> Cup<'a> {
         }
         if tools.len() > 1 || !walls.is_empty() {
             // With usual elements the force oscillates as nodes leave the shoulder.
-            sizes.elements(plan.blank.value, first.shoulder.value.min(self.part.nose), tools.len().min(2) as f64);
+            sizes.elements(
+                plan.blank.value,
+                first.shoulder.value.min(self.part.nose),
+                if tools.len() > 1 { 2.0 } else { 1.5 },
+            );
             sizes.set("stages", self.later(&tools, pressure, &walls), "");
         }
         Ok(sizes)

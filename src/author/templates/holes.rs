@@ -93,5 +93,5 @@ pub(super) fn collar(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError
         sizes.lengths([("travel", &travel)]);
         Ok(sizes)
     };
-    corrected("collar", 1, [first, 0.0], values, |end| Some([share * (part_height(end)? - height), 0.0]))
+    corrected("collar", 1, [first, 0.0], values, |_, end| Some([share * (part_height(end)? - height), 0.0]))
 }

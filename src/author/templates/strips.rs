@@ -3,7 +3,7 @@
 use super::{cup::BLANK, *};
 use crate::case::parse;
 use crate::measure::part_height;
-use crate::model::{Role, tool_sizes::met};
+use crate::model::{Model, Role, tool_sizes::met};
 use crate::numerics::interpolated;
 use crate::solver::{self, solution::Frame};
 
@@ -17,14 +17,14 @@ const CORRECTED: &str = "as runs of this case need";
 /// A case that does not run to its end keeps the first sizes.
 pub(super) fn corrected(
     template: &str, stages: usize, first: [f64; 2], values: impl Fn([f64; 2]) -> Result<Values, CaseError>,
-    misses: impl Fn(&Frame) -> Option<[f64; 2]>,
+    misses: impl Fn(&Model, &Frame) -> Option<[f64; 2]>,
 ) -> Result<Values, CaseError> {
     let mut sizes = first;
     for _ in 0..RUNS {
         let Ok(case) = parse(&values(sizes)?.fill(find(template)?.text), template, &[]) else { break };
         let runs = solver::solve(&case.stages[..stages], &mut ());
         let end = runs.last().filter(|run| runs.len() == stages && run.stop.is_complete());
-        let Some(missing) = end.and_then(|run| misses(run.frames.last()?)) else { return values(first) };
+        let Some(missing) = end.and_then(|run| misses(&run.model, run.frames.last()?)) else { return values(first) };
         sizes = [sizes[0] + missing[0], sizes[1] + missing[1]];
     }
     values(sizes)
@@ -80,7 +80,7 @@ pub(super) fn box_section(inputs: &Inputs, sheet: &Sheet) -> Result<Values, Case
         sizes.holder(Geometry::PlaneStrain, [flat, blank.value], &pressure)?;
         Ok(sizes)
     };
-    corrected("box-section", 1, [first[0] + trim.value, first[1]], values, |end| {
+    corrected("box-section", 1, [first[0] + trim.value, first[1]], values, |_, end| {
         let higher = height - part_height(end)?;
         Some(match flange {
             Some(flange) => [flat + flange + trim.value - end.nodes.last()?.r + higher, higher],
@@ -136,7 +136,7 @@ pub(super) fn joggle(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError
         sizes.lengths([("blank", &blank), ("clearance", &gap), ("travel", &travel)]);
         Ok(sizes)
     };
-    corrected("joggle", 2, [2.0 * flat + tool(depth)?.1, depth], values, |part| {
+    corrected("joggle", 2, [2.0 * flat + tool(depth)?.1, depth], values, |_, part| {
         let middle: Vec<_> = part.nodes.iter().map(|node| (node.r, node.z)).collect();
         Some([end + flat - part.nodes.last()?.r, depth - interpolated(&middle, flat) + interpolated(&middle, end)])
     })

@@ -25,7 +25,7 @@ fn tube(inputs: &Inputs, sheet: &Sheet, share: f64, corner: f64, title: &str) ->
 fn formed(inputs: &Inputs, mut sizes: Values, punch: String, travel: &Picked) -> Result<Values, CaseError> {
     let (length, way) = (inputs.value("length"), plain(rounded_up(travel.value, 3)));
     let what = || format!("the tool would go {way} along a tube of {}", plain(length));
-    ensure(travel.value < length, what, "make --length larger, or the formed end shorter")?;
+    ensure(travel.value < length, what, "make --length larger, or form less of it")?;
     sizes.set("punch", punch, "");
     sizes.lengths([("travel", travel)]);
     Ok(sizes)
@@ -68,10 +68,10 @@ pub(super) fn end(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseError> {
     let flare = if land.is_some() { 0.0 } else { (end - outside).signum() / sin };
     let tool = f64::from(land.is_some());
     let missed = Cell::new(0.0);
-    let values = corrected("tube-end", 1, [end, first], values, |frame| {
+    let values = corrected("tube-end", 1, [end, first], values, |model, frame| {
         let missing = end - 0.5 * outside_diameters(frame).last()?;
         // Of a sheet that folds the verdict says so.
-        missed.set(if folded(frame).is_some() { 0.0 } else { missing });
+        missed.set(if folded(model, frame).is_some() { 0.0 } else { missing });
         Some([tool, flare].map(|share| share * missed.get()))
     })?;
     let reached = Amount::place(2.0 * (end - missed.get()));
@@ -87,6 +87,7 @@ pub(super) fn inversion(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseEr
     let free = || Picked::by(rounded_up(knuckle.max(rules::tool_radius(t).value), 2), why);
     let groove = inputs.pick("groove", free);
     let (r, guide, middle) = (groove.value, outside - t, groove.value - 0.5 * t);
+    let (_, mut sizes) = tube(inputs, sheet, 1.0, r, "turned inside out")?;
     let what = || format!("a groove of R {} has no room for a wall of {}", plain(r), plain(t));
     ensure(r > t, what, "make --groove larger: a thickness at least")?;
     // Work of widening and of two bends, with friction round the groove, over that of the wall at yield.
@@ -95,7 +96,6 @@ pub(super) fn inversion(inputs: &Inputs, sheet: &Sheet) -> Result<Values, CaseEr
     let what = || format!("to turn round a groove of R {} takes {used} of what the tube's wall bears", plain(r));
     let help = format!("make --groove smaller: a free knuckle has R {}", plain(rounded_up(knuckle, 2)));
     ensure(used.value < 100.0, what, &help)?;
-    let (_, mut sizes) = tube(inputs, sheet, 1.0, r, "turned inside out")?;
     sizes.set("groove", format!("R {}", plain(r)), "");
     let center = Some((Point::new(guide + r, 0.0), true));
     let far = 0.5 * inputs.value("length");

@@ -15,7 +15,7 @@ const LONGEST: usize = 30;
 pub struct Further {
     /// Name in tables and plots.
     pub name: String,
-    /// True of a tool above the sheet, as the die; false of one below, as the punch.
+    /// True of a tool on the die's side, at larger z (underneath in pictures); false of one on the punch's side.
     above: bool,
     /// Section, placed where it touches the flat sheet. In a later stage it is a new tool, brought along z until it touches the
     /// sheet; without a profile there one of the stage before goes on.

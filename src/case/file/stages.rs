@@ -1,11 +1,11 @@
 //! `[stage]` and `[[stages]]`: operations after the first one, each changes the model of the stage before.
 
-use super::drive::{Drive, equally_spaced};
+use super::drive::{Drive, check_settings, equally_spaced};
 use super::further::{self, Further};
 use super::tools::{Die, Holder, Pad, Punch, ToolKeys};
 use super::*;
 use crate::model::{Beginning, Press, ReleaseStiffness};
-use crate::units::Speed;
+use crate::units::{Fraction, Speed};
 
 const FIRST: &str = "forming";
 const LONGEST: usize = 40;
@@ -58,6 +58,8 @@ pub struct Stage {
     pub mode: Option<Mode>,
     /// Takes the tools away: contact forces fade, and the sheet springs back. True or "updated", or "constant" stiffness.
     release: Option<Release>,
+    /// Largest step as a fraction of the stage; that of `solver` when not given. A release bears 0.05.
+    max_step: Option<Fraction>,
     /// Speed of the tool that goes furthest; that of the first stage when not given.
     speed: Option<Positive<Speed>>,
     /// Instead of the speed; 1 s where no tool goes anywhere and it is not given.
@@ -161,6 +163,9 @@ impl StageContext<'_> {
             removed.map(|at| model.tools.remove(at));
         }
         self.pace(&mut model)?;
+        let max_step = self.written.max_step.map_or(self.first.settings.max_step, Fraction::value);
+        model.settings.max_step = max_step;
+        check_settings(&model.settings, self.source)?;
         let mut meets = Vec::new();
         for tool in self.tools.keys() {
             self.tool(&tool, &mut model)?;

@@ -14,13 +14,13 @@ const WIDTHS: [&str; 3] = ["radius", "diameter", "half_width"];
 #[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Tools {
-    /// Punch, below the sheet.
+    /// Punch, at smaller z than the sheet, which pictures draw on top.
     pub punch: Option<Punch>,
-    /// Die, above the sheet.
+    /// Die, at larger z than the sheet.
     pub die: Option<Die>,
-    /// Blank holder, below the sheet.
+    /// Blank holder, on the punch's side.
     pub holder: Option<Holder>,
-    /// Pad above the sheet.
+    /// Pad on the die's side.
     pub pad: Option<Pad>,
     /// Tools beside these, each with its name and its drive.
     #[serde(default)]
@@ -90,7 +90,7 @@ impl Tools {
 
 tool! {
     /// Punch, moving towards +z; exactly one of the shapes is given. In a later stage a shape makes it a new one, which is
-    /// brought up from below until it touches the sheet.
+    /// brought up until it touches the sheet.
     Punch, shapes hemispherical flat crowned;
     /// Spherical nose.
     hemispherical: Option<Hemispherical>,
@@ -107,8 +107,8 @@ tool! {
 }
 
 tool! {
-    /// Die, standing still above the sheet: `throat` and `shoulder`, or a `profile`. In a later stage a shape makes it a new
-    /// one, which is brought down from above until it touches the sheet.
+    /// Die, standing still at larger z than the sheet: `throat` and `shoulder`, or a `profile`. In a later stage a shape makes
+    /// it a new one, which is brought up until it touches the sheet.
     #[schemars(extend("dependentRequired" = { "throat": ["shoulder"], "throat_diameter": ["shoulder"] }))]
     Die, shapes throat throat_diameter shoulder land relief cone tractrix mouth mouth_diameter;
     /// Radius of the opening (plane strain: half width).
@@ -133,7 +133,7 @@ tool! {
 
 tool! {
     /// Blank holder, pressing the sheet against the die: a flat ring from its inner radius outward, or a `profile`. In a later
-    /// stage a shape makes it a new one, which is brought up from below until it touches the sheet. Where a profile and the die
+    /// stage a shape makes it a new one, which is brought up until it touches the sheet. Where a profile and the die
     /// cannot both lie on the flat sheet, for a bead or a slope, the holder closes over the sheet before the punch comes.
     Holder, shapes inner_radius inner_diameter inner_half_width;
     /// Inner radius (axisymmetric).
@@ -155,7 +155,7 @@ tool! {
 }
 
 tool! {
-    /// Pad, ejector or counter-punch: a flat face above the sheet, or a `profile`, pressed against the punch, which pushes it
+    /// Pad, ejector or counter-punch: a flat face on the die's side, or a `profile`, pressed against the punch, which pushes it
     /// back. It holds the bottom flat. In a later stage a shape makes it a new one, brought down until it touches the sheet.
     Pad, shapes radius diameter half_width;
     /// Radius (axisymmetric).

@@ -1,6 +1,7 @@
 //! Punches of a round part's draws, and the stages after the first.
 
 use super::*;
+use crate::units::Amount;
 use crate::writer::{recessed_punch, redraw::Ring};
 
 /// Share of the gap before that a ring leaves, declared: well within the 35 % of a pass; and the most rings.
@@ -28,6 +29,10 @@ impl Cup<'_> {
         let rings = self.inputs.pick("rings", || Picked::by(((wall / drawn).ln() / RING.ln()).ceil(), "")).value;
         let what = || format!("--rings {rings} is no number of rings");
         ensure(rings.fract() == 0.0 && (1.0..=MOST_RINGS).contains(&rings), what, "a whole number from 1 to 9")?;
+        let share = Amount::share(1.0 - (wall / drawn.min(self.sheet.thickness)).powf(1.0 / rings));
+        let what =
+            || format!("{rings} rings iron {share} of the wall each, more than {:.0} %", 100.0 * rules::IRONING_LIMIT);
+        ensure(share.value <= 100.0 * rules::IRONING_LIMIT, what, "more --rings, or a thicker --wall")?;
         Ok((1..=rings as i32).map(|i| rounded(drawn * (wall / drawn).powf(f64::from(i) / rings))).collect())
     }
 
