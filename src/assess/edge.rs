@@ -1,6 +1,7 @@
 //! Edge of a hole or of a tube: its expansion against what the sheet's edge bears.
 
 use super::*;
+use crate::model::tool_sizes::full_mouth;
 
 /// Time \[s\] and travel \[mm\] at which the hole of a stage comes to the limit of its edge, between two steps in proportion.
 pub(super) fn reached(stage: &StageSolution) -> Option<[f64; 2]> {
@@ -10,6 +11,18 @@ pub(super) fn reached(stage: &StageSolution) -> Option<[f64; 2]> {
     let share = ((1.0 - used(&pair[0])) / (used(&pair[1]) - used(&pair[0]))).clamp(0.0, 1.0);
     let between = |value: fn(&StepRecord) -> f64| value(&pair[0]) + share * (value(&pair[1]) - value(&pair[0]));
     Some([between(|step| step.time), between(|step| step.travel)])
+}
+
+/// Expansion that the punch asks of a hole's edge, if that is beyond what it bears.
+pub(super) fn planned(model: &Model) -> Option<Finding> {
+    let (blank, punch) = (&model.blank, model.tool(Role::Punch)?);
+    let limit = blank.edge_limit.filter(|_| blank.has_hole() && blank.meridian.is_none() && !model.stop.edge_limit)?;
+    let wide = full_mouth(model, punch);
+    let [from, to] = [blank.hole, wide].map(|half| Amount::drawn(2.0 * half));
+    let warning =
+        Finding::warning("planned_edge", "Edge", format!("the punch widens the hole from Ø {from} to Ø {to}, by {{}}"));
+    let warning = warning.number(Amount::share(wide / blank.hole - 1.0)).at_most(100.0 * limit.expansion, None);
+    warning.source("the case's blank.edge_limit").advice("a larger hole for a lower collar, or two steps").if_beyond()
 }
 
 /// Expansion from which on the end of a tube is widened \[–\]: half a percent.

@@ -21,22 +21,23 @@ pub fn folded(model: &Model, frame: &Frame) -> Option<f64> {
     meets(frame).or_else(|| Some(frame.elements[ring?.0.min(frame.elements.len() - 1)].s0))
 }
 
-/// Node at which the free wall of a tube stands out or in most between lower places on both sides, and how far \[mm\].
+/// Node at which a tube's wall before its tools stands out or in most between lower places on both sides, and how far \[mm\].
 fn ring(model: &Model, frame: &Frame) -> Option<(usize, f64)> {
-    let nodes = &frame.nodes;
     let is_free = |node: &NodeRecord| {
         let tools = model.tools.iter().zip(&frame.tool_displacement);
         let point = Point::new(node.r, node.z);
         tools.into_iter().all(|(tool, moved)| tool.profile.closest(point - *moved).distance > FREE * node.thickness)
     };
+    // From the end that stays to the first tool; behind it a wall may be rolled up as wished.
+    let count = frame.nodes.iter().position(|node| !is_free(node)).map_or(frame.nodes.len(), |i| i + 1);
+    let nodes = &frame.nodes[..if model.blank.is_open() { count } else { 0 }];
     let over = |i: usize, sign: f64| {
         let lowest = |side: &[NodeRecord]| side.iter().map(|node| sign * node.r).fold(f64::INFINITY, f64::min);
         sign * nodes[i].r - lowest(&nodes[..i]).max(lowest(&nodes[i + 1..]))
     };
     // Pressure bulges a wall outward by itself.
     let outward = if model.gas.is_empty() { 1.0 } else { -1.0 };
-    let inside = (1..nodes.len() - 1).filter(|i| model.blank.is_open() && is_free(&nodes[*i]));
-    inside.map(|i| (i, over(i, -1.0).max(over(i, outward)))).max_by(|a, b| a.1.total_cmp(&b.1))
+    (1..nodes.len().max(1) - 1).map(|i| (i, over(i, -1.0).max(over(i, outward)))).max_by(|a, b| a.1.total_cmp(&b.1))
 }
 
 fn meets(frame: &Frame) -> Option<f64> {

@@ -64,6 +64,7 @@ const ON_MODEL: &[fn(&Model) -> Option<Finding>] = &[
     tools::narrow,
     tools::wide,
     tools::overlap,
+    edge::planned,
     solution_quality::mesh,
     draw::ratio,
     material::short,

@@ -18,6 +18,12 @@ const HALVINGS: usize = 50;
 /// Rounding of coordinates \[mm\].
 const ROUNDED: f64 = 1e-6;
 
+/// [`mouth`] at the full travel \[mm\]; a punch meets the edge of a hole first.
+pub fn full_mouth(model: &Model, punch: &Tool) -> f64 {
+    let front = |from: f64| punch.profile.extreme(true, [from, 1e6]).map_or(0.0, |point| point.y);
+    mouth(punch, model.travel + front(0.0) - front(model.blank.hole))
+}
+
 /// Largest r of a punch down to `depth` behind its foremost point \[mm\]: the mouth of the part at this travel. A rounding counts
 /// as a whole, so that a straight-walled punch has its wall from the start.
 pub fn mouth(punch: &Tool, depth: f64) -> f64 {

@@ -4,7 +4,7 @@ use super::{Line, line, number, size_of};
 use crate::assess::estimate;
 use crate::contact::friction::Friction;
 use crate::geometry::Piece;
-use crate::model::tool_sizes::{embosses, extent, mouth, throat, widens};
+use crate::model::tool_sizes::{embosses, extent, full_mouth, throat, widens};
 use crate::model::{Bead, Edge, Face, Gas, Geometry, Mode, Model, Motion, Pressure, Role, Tool, stage::Stage};
 use crate::rules::Metal;
 use crate::units::{Amount, Digits, Unit, joined};
@@ -42,16 +42,15 @@ pub fn of_tool(model: &Model, tool: &Tool) -> Line {
         Role::Die if closed => ("closed".into(), "by a bottom that reaches the axis"),
         Role::Die => (size_of(model, low, Amount::drawn), "of the throat"),
         Role::Holder => (size_of(model, low, Amount::drawn), "of the inner edge"),
-        Role::Punch if embosses(model) => (size_of(model, high, Amount::drawn), "over all"),
+        Role::Punch if embosses(model) || high > model.blank.length => {
+            (size_of(model, high, Amount::drawn), "over all")
+        }
         Role::Upper(_) | Role::Lower(_) => (range(), side),
         _ => (size_of(model, high, Amount::drawn), "to the wall"),
     };
     let of = if model.geometry == Geometry::PlaneStrain && !closed { format!("half-width {of}") } else { of.into() };
     let widens = tool.role == Role::Punch && !model.blank.is_open() && widens(tool, model.travel);
-    // The edge of a hole is met first.
-    let front = |from: f64| tool.profile.extreme(true, [from, 1e6]).map_or(0.0, |point| point.y);
-    let depth = model.travel + front(0.0) - front(model.blank.hole);
-    let mouth = widens.then(|| size_of(model, mouth(tool, depth), Amount::drawn));
+    let mouth = widens.then(|| size_of(model, full_mouth(model, tool), Amount::drawn));
     let mouth = mouth.map_or_else(String::new, |mouth| format!("{mouth} at the sheet at the full travel"));
     let friction = match &tool.friction {
         Friction::Coulomb(_) => format!("friction {}", Amount::number(tool.friction.largest_coefficient())),
