@@ -22,11 +22,8 @@ impl Kind {
             }
         };
         let is_mild = sheet.hardening(n).stress * (-n).exp() <= STRENGTH;
-        let kind = if is_ferritic && is_mild && sheet.thickness <= KeelerBrazier::THICKNESS {
-            Self::KeelerBrazier(KeelerBrazier::default())
-        } else {
-            Self::Hill(Hill { n: None })
-        };
+        let is_known = is_ferritic && is_mild && sheet.thickness <= KeelerBrazier::THICKNESS;
+        let kind = if is_known { Self::KeelerBrazier(KeelerBrazier::default()) } else { Self::Hill(Hill { n: None }) };
         let mut curve = Curve { is_usual: true, ..kind.curve(sheet)? };
         let declared = "declared: the case gives no forming limit; this one is computed, not measured";
         curve.notes.insert(0, format!("{declared}: {}", curve.name));

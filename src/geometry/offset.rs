@@ -74,9 +74,8 @@ impl Profile {
             return Err(CavityError::Below(face - self.first().y));
         }
         let plane = Piece::line(Point::new(reach, face), Point::new(0.0, face));
-        let Some(crossed) = self.pieces().iter().position(|piece| !common(piece, &plane).is_empty()) else {
-            return Err(CavityError::Above(self.last().y - face));
-        };
+        let crossed = self.pieces().iter().position(|piece| !common(piece, &plane).is_empty());
+        let crossed = crossed.ok_or(CavityError::Above(self.last().y - face))?;
         // The shoulder may use up the pieces next to the face.
         let corner = self.pieces()[..=crossed].iter().rev().enumerate().find_map(|(back, piece)| {
             let corner = parallel_arc(&plane, &piece.reversed(), -shoulder)?;

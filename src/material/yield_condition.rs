@@ -85,12 +85,10 @@ pub trait YieldCondition {
         let (above, below) = (at(root, 1.0 / root), at(-root, -1.0 / root));
         let mean = |i: usize| 0.5 * (above.gradient[i] + below.gradient[i]);
         let turning = |i: usize| 0.5 * root * (above.gradient[i] - below.gradient[i]);
-        LayerMetric {
-            gradient: [mean(0), mean(1), turning(0), turning(1), mean(2)],
-            own: std::array::from_fn(|j| 0.5 * (above.matrix[j] + below.matrix[j])),
-            coupling: [0, 1, 2].map(|j| 0.5 * root * (above.matrix[j] - below.matrix[j])),
-            square: 0.5 * (above.square + below.square),
-        }
+        let gradient = [mean(0), mean(1), turning(0), turning(1), mean(2)];
+        let own = std::array::from_fn(|j| 0.5 * (above.matrix[j] + below.matrix[j]));
+        let coupling = [0, 1, 2].map(|j| 0.5 * root * (above.matrix[j] - below.matrix[j]));
+        LayerMetric { gradient, own, coupling, square: 0.5 * (above.square + below.square) }
     }
 
     /// wᵀ A⁻¹ w \[MPa²\] of a carried stress, by the metric's matrix at Gauss's two points.

@@ -75,9 +75,8 @@ impl Seal {
     /// Seal at the distance `within` from the axis or symmetry plane \[mm\].
     pub fn find(nodes: &[Node], within: f64, geometry: Geometry) -> Self {
         let begins_inside = |ends: &[Node]| ends[1][0] <= within || ends[0][0] < within;
-        let Some(element) = nodes.windows(2).rposition(begins_inside) else {
-            return Self::default();
-        };
+        let last = nodes.windows(2).rposition(begins_inside);
+        let Some(element) = last else { return Self::default() };
         let [from, to] = [element, element + 1].map(|i| nodes[i][0]);
         let [inside, whole] = [within, to].map(|r| geometry.area(r) - geometry.area(from));
         if to <= within {

@@ -101,18 +101,12 @@ impl RunTable {
         let [light, failures, red, amber, end, reason, VERSION] = rest else { return None };
         let words = |text: &str| text.split_whitespace().map(str::to_owned).collect();
         let modes = FailureMode::ALL.into_iter().filter(|mode| failures.split(' ').any(|key| key == mode.key()));
-        Some(Run {
-            index: index.parse().ok()?,
-            values: values.iter().map(|value| (*value).to_owned()).collect(),
-            inputs: (*inputs).to_owned(),
-            numbers: numbers.iter().map(|text| text.parse().unwrap_or(f64::NAN)).collect(),
-            light: Light::ALL.into_iter().find(|own| own.name() == *light),
-            failures: modes.collect(),
-            red: words(red),
-            amber: words(amber),
-            end: (*end).to_owned(),
-            reason: (*reason).to_owned(),
-        })
+        let [inputs, end, reason] = [inputs, end, reason].map(|text| (*text).to_owned());
+        let (index, red, amber, failures) = (index.parse().ok()?, words(red), words(amber), modes.collect());
+        let values = values.iter().map(|value| (*value).to_owned()).collect();
+        let numbers = numbers.iter().map(|text| text.parse().unwrap_or(f64::NAN)).collect();
+        let light = Light::ALL.into_iter().find(|own| own.name() == *light);
+        Some(Run { index, values, inputs, numbers, light, failures, red, amber, end, reason })
     }
 
     /// The whole table as CSV.

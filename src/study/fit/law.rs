@@ -151,9 +151,7 @@ pub fn fit_laws(tests: Vec<FlowCurve>, law: Option<HardeningKind>, watch: &dyn W
     }
     let rank = |i: &usize| (fits[*i].estimates.iter().any(|e| e.bound.is_some()), fits[*i].aic);
     let by_rank = |a: &usize, b: &usize| rank(a).partial_cmp(&rank(b)).unwrap_or(Ordering::Equal);
-    let Some(best) = (0..fits.len()).min_by(by_rank) else {
-        return Err(errors.swap_remove(0));
-    };
+    let best = (0..fits.len()).min_by(by_rank).ok_or_else(|| errors.swap_remove(0))?;
     let mut angles: Vec<f64> = tests.iter().filter_map(|test| test.direction).collect();
     angles.sort_by(f64::total_cmp);
     angles.dedup();

@@ -69,17 +69,12 @@ impl Outcome {
         let lost = stop.is_some_and(|stop| !stop.is_complete() && !stop.is_physical());
         let end = End { stages: stages.len(), kind, why, complete, lost };
         let load = largest_force(stages).map_or(&[][..], |(i, ..)| &stages[i].steps);
+        let load = load.iter().map(|step| (step.travel, step.punch_force)).collect();
         let frame = stages.last().and_then(|stage| stage.frames.last());
         let elements = frame.into_iter().flat_map(|frame| &frame.elements);
-        Self {
-            direction: None,
-            times: 1.0,
-            end,
-            numbers: numbers(case, stages, findings),
-            load: load.iter().map(|step| (step.travel, step.punch_force)).collect(),
-            thickness: elements.map(|element| (element.s0, element.thickness)).collect(),
-            used: forming_limit_used(stages).map_or_else(Vec::new, |used| used.shares),
-        }
+        let thickness = elements.map(|element| (element.s0, element.thickness)).collect();
+        let used = forming_limit_used(stages).map_or_else(Vec::new, |used| used.shares);
+        Self { direction: None, times: 1.0, end, numbers: numbers(case, stages, findings), load, thickness, used }
     }
 
     /// Value of a number, at the place that the number is of.
