@@ -67,7 +67,7 @@ fn a_further_tool_that_stands_by_mistake_is_named() {
         let tool = "[[tools.further]]\nname = \"ejector\"\nabove = true\nfriction = 0.1\n\
                     profile = [{ from = [\"12 mm\", \"0 mm\"] }, { to = [\"0 mm\", \"0 mm\"] }]";
         let case = parsed(&format!("{}\n{tool}\ngap = \"{gap}\"\n", bend.text), &[]);
-        let stands = check::report(&case).lines.into_iter().any(|line| line.meaning.contains("above, stands"));
+        let stands = check::report(&case).lines.into_iter().any(|line| line.meaning.contains("die's side, stands"));
         assert!(stands, "the table says that it stands");
         assess::sentences(&assess::after(&case, &case.clone().solve(&mut ()).stages), Kind::Judgement).join("\n")
     };
@@ -88,6 +88,6 @@ fn words_are_of_the_tool_that_works() {
     assert!(place("thinnest").contains("at the tool 'inner punch'"), "{}", place("thinnest"));
     assert!(place("punch_force").contains("in stage 2 of the inner punch"), "{}", place("punch_force"));
     let summary = solution.summary().to_string();
-    let wanted = ["Inner punch travel reached", "below, goes 12 mm", "on the inner punch", "Less friction, or"];
+    let wanted = ["Inner punch travel reached", "punch's side, goes 12 mm", "on the inner punch", "Less friction, or"];
     wanted.iter().for_each(|words| assert!(summary.contains(*words), "{words}: {summary}"));
 }
