@@ -65,9 +65,6 @@ for name in [template["name"] for template in json.loads(stampflow(".", "new", "
         for ending in ("csv", "dxf"):
             stampflow(folder, "export", "case.toml", "--quiet", "-o", f"tools.{ending}")
         tools = drawn(folder)
-        if name.startswith("tube") or not any(layer.endswith("PUNCH") for layer in tools):
-            print(f"{name}: a tube or no punch, not imported")
-            continue
         case = tomllib.loads((folder / "case.toml").read_text(encoding="utf-8"))
         stampflow(folder, "import", "tools.dxf", "--geometry", case["geometry"], "--axis", "0 mm", "-o", "again.toml")
         again = {layer if layer in tools else layer.partition("_")[2]: pieces for layer, pieces in read(folder).items()}

@@ -53,7 +53,7 @@ impl Answer {
 }
 
 /// True of a test that ended by the failure it looks for: the crack of a hole's edge, or the largest force on Erichsen's ball.
-pub fn is_test(stages: &[StageSolution]) -> bool {
+pub(super) fn is_test(stages: &[StageSolution]) -> bool {
     let ended = |stage: &StageSolution| stage.stop.kind == StopKind::EdgeLimit || erichsen_index(stage).is_some();
     stages.last().is_some_and(ended)
 }

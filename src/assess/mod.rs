@@ -28,7 +28,7 @@ mod stop;
 mod tear;
 mod tools;
 
-pub use answer::{Answer, is_test};
+pub use answer::Answer;
 pub use draw::draws;
 pub use failure::FailureMode;
 pub use finding::{Finding, Kind, Light, When, by_advice, first_clause, headline, judgements, sentences, unchecked};
@@ -143,8 +143,13 @@ pub fn after(case: &Case, stages: &[StageSolution]) -> Vec<Finding> {
         [stop::earlier, tools::overlap, tools::wide].into_iter().filter_map(|find| find(case.model())).filter(is_met);
     let of_case = of_case.map(|finding| Finding { kind: Kind::Judgement, light: Light::Red, ..finding });
     let on_run = ON_RUN.iter().filter_map(|find| find(&run));
-    let judged = on_run.map(|finding| if is_test(stages) { of_test(finding) } else { finding });
+    let judged = on_run.map(|finding| if answer::is_test(stages) { of_test(finding) } else { finding });
     of_case.chain(judged).chain(of_stages).collect()
+}
+
+/// True of a run that came to its end, and of a test that ended by the failure it looks for.
+pub fn is_done(solution: &Solution) -> bool {
+    solution.is_complete() || answer::is_test(&solution.stages)
 }
 
 /// A test ends by the failure that it looks for, and its tools are those of its standard.
@@ -153,7 +158,7 @@ fn of_test(mut finding: Finding) -> Finding {
         finding.quantity.iter_mut().for_each(|number| number.limits = None);
         finding = finding.light(Light::Green).limit("the end of the test");
     }
-    if finding.key != "friction" {
+    if finding.key != "friction" && finding.light > Light::Grey {
         finding.advice.clear();
     }
     finding

@@ -28,7 +28,7 @@ pub fn export(args: &Args) -> Result<Code> {
     let drawing = Drawing::new(&solution, [DrawingUnit::MM, DrawingUnit::INCH][DisplaySettings::current() as usize]);
     write(path, drawing.text(format).as_bytes()).map_err(unusable("-o"))?;
     let layers: Vec<_> = drawing.layers.iter().map(|layer| layer.name.as_str()).collect();
-    let is_complete = solution.is_complete();
+    let is_complete = is_done(&solution);
     emit(args.common.json(), json!({ "file": path, "layers": layers, "complete": is_complete }), || {
         let early = if is_complete { "" } else { "\nthe run stopped early: the sheet is drawn as it was then" };
         wrapped(format!("{} is written, layers {}{early}", path.display(), layers.join(", ")))

@@ -45,7 +45,7 @@ use serde_json::{Map, Value, json};
 use solved::{Output, Solved, finish};
 use stampflow::assess::error_bars::{Contribution, ErrorBars, Number, Origin};
 use stampflow::assess::{
-    self, Answer, Finding, Kind, Light, by_advice, headline, judgements, sentences, size_doubts, unchecked,
+    self, Answer, Finding, Kind, Light, by_advice, headline, is_done, judgements, sentences, size_doubts, unchecked,
 };
 use stampflow::case::{self, Case, CaseError, Solution, library};
 use stampflow::files::{Disk, Files, visible};

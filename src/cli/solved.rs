@@ -46,7 +46,7 @@ impl Solved {
     pub fn code(&self, strict: bool) -> Code {
         match self.answer.light {
             Light::Red if strict => Code::Red,
-            _ if self.solution.is_complete() || stampflow::assess::is_test(&self.solution.stages) => Code::Done,
+            _ if is_done(&self.solution) => Code::Done,
             _ => Code::StoppedEarly,
         }
     }

@@ -33,7 +33,7 @@ fn one(args: &Args, progress: &Progress, case: Case) -> Result<Output> {
     let written = path.iter().map(|path| write(path, &verification.csv()).map_err(Into::into));
     let failed: Vec<anyhow::Error> = written.filter_map(Result::err).collect();
     let moved = verification.bars.moved(&solution);
-    let code = if solution.is_complete() { Code::Done } else { Code::StoppedEarly };
+    let code = if is_done(&solution) { Code::Done } else { Code::StoppedEarly };
     if args.common.json() {
         let own = json!({ "case": solution.case.name, "seconds": seconds, "lights": moved, "file": path });
         return Ok(Output { code, json: Some(with(as_json(&verification), own)), failed, ..Output::default() });
