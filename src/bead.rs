@@ -93,7 +93,7 @@ fn sections(bead: &Round, t: f64, at: f64, end: f64) -> [Profile; 2] {
 }
 
 /// Groove of the die and closed bead of the holder at a flat sheet, of each bead of a model that is given by its section.
-pub(crate) fn shapes(model: &Model) -> impl Iterator<Item = [Profile; 2]> {
+pub fn shapes(model: &Model) -> impl Iterator<Item = [Profile; 2]> {
     let t = model.blank.thickness;
     model.beads.iter().filter_map(|bead| Some((bead.at, bead.round?))).map(move |(at, round)| {
         let [groove, ridge] = sections(&round, t, at, at + 2.0 * widths(&round, t).1[2]);

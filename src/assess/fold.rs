@@ -21,12 +21,12 @@ pub fn folded(model: &Model, frame: &Frame) -> Option<f64> {
     meets(frame).or_else(|| Some(frame.elements[ring?.0.min(frame.elements.len() - 1)].s0))
 }
 
-/// Node at which a tube's wall before its tools stands out or in most between lower places on both sides, and how far \[mm\].
+/// Node at which a tube's wall before its tools stands out or in most between lower places on both sides, or its seat has
+/// spread, and how far \[mm\].
 fn ring(model: &Model, frame: &Frame) -> Option<(usize, f64)> {
     let is_free = |node: &NodeRecord| {
-        let tools = model.tools.iter().zip(&frame.tool_displacement);
-        let point = Point::new(node.r, node.z);
-        tools.into_iter().all(|(tool, moved)| tool.profile.closest(point - *moved).distance > FREE * node.thickness)
+        let gap = |(tool, moved): (&Tool, &Point)| tool.profile.closest(Point::new(node.r, node.z) - *moved).distance;
+        model.tools.iter().zip(&frame.tool_displacement).all(|tool| gap(tool) > FREE * node.thickness)
     };
     // From the end that stays to the first tool; behind it a wall may be rolled up as wished.
     let count = frame.nodes.iter().position(|node| !is_free(node)).map_or(frame.nodes.len(), |i| i + 1);
@@ -37,7 +37,10 @@ fn ring(model: &Model, frame: &Frame) -> Option<(usize, f64)> {
     };
     // Pressure bulges a wall outward by itself.
     let outward = if model.gas.is_empty() { 1.0 } else { -1.0 };
-    (1..nodes.len().max(1) - 1).map(|i| (i, over(i, -1.0).max(over(i, outward)))).max_by(|a, b| a.1.total_cmp(&b.1))
+    let inside = (1..nodes.len().max(1) - 1).map(|i| (i, over(i, -1.0).max(over(i, outward))));
+    let meridian = model.blank.meridian.as_ref().filter(|_| model.gas.is_empty());
+    let seat = nodes.first().zip(meridian).map(|(node, line)| (0, (node.r - line.first().x).abs()));
+    inside.chain(seat).max_by(|a, b| a.1.total_cmp(&b.1))
 }
 
 fn meets(frame: &Frame) -> Option<f64> {

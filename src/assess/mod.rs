@@ -136,11 +136,9 @@ pub fn after(case: &Case, stages: &[StageSolution]) -> Vec<Finding> {
     let of_stages = stages.iter().enumerate().flat_map(|(i, stage)| of_stage(i, stage));
     // Known before the run, and wrong with its result, if a run that ended as wished came so far.
     let whole = stages.first().filter(|stage| stage.stop.is_complete()).and_then(|stage| stage.steps.last());
-    let is_met = |finding: &Finding| {
-        finding.key != "overlap" || whole.is_none_or(|end| finding.value().is_none_or(|from| from <= end.travel))
-    };
+    let comes = |own: &Finding| own.key != "overlap" || whole.is_none_or(|end| own.value() <= Some(end.travel));
     let of_case =
-        [stop::earlier, tools::overlap, tools::wide].into_iter().filter_map(|find| find(case.model())).filter(is_met);
+        [stop::earlier, tools::overlap, tools::wide].into_iter().filter_map(|find| find(case.model())).filter(comes);
     let of_case = of_case.map(|finding| Finding { kind: Kind::Judgement, light: Light::Red, ..finding });
     let on_run = ON_RUN.iter().filter_map(|find| find(&run));
     let judged = on_run.map(|finding| if answer::is_test(stages) { of_test(finding) } else { finding });
