@@ -91,7 +91,7 @@ impl Lines<'_> {
             self.number("time", "Time of the cycle", Amount::time(last.time));
         }
         let touching = Some(last.contact_share).filter(|share| *share > 0.0);
-        self.number("contact_share", "Sheet on punch and die at the end", touching.map(Amount::share));
+        self.number("contact_share", "Sheet on its tools at the end", touching.map(Amount::share));
         self.add("events", "Events", Value::events(run));
     }
 
