@@ -8,7 +8,6 @@ use crate::measure::{
     self, OPENING_ANGLE, Shape, element_at, outside_diameters, part_height, stripping_force, wall_at,
 };
 use crate::numerics::interpolated;
-use crate::solver::solution::Frame;
 
 /// Verdict in one sentence, and the numbers that a part is known by.
 #[derive(Clone, Debug, PartialEq, Serialize)]

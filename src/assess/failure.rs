@@ -2,6 +2,9 @@
 
 use super::*;
 
+/// Rows that judge a tear.
+pub(super) const TEARS: [&str; 6] = ["thinning", "localisation", "forming_limit", "fracture", "edge", "tearing"];
+
 named! {
     /// Failure mode of a part or a design; the order is that of importance.
     #[derive(PartialOrd, Ord)]
@@ -29,7 +32,7 @@ impl FailureMode {
         let red = judgements(findings).filter(|finding| finding.light == Light::Red).map(|finding| finding.key);
         let mode = |key| match key {
             "stop" if stops_torn => Self::Tears,
-            _ if is_tear(key) => Self::Tears,
+            _ if TEARS.contains(&key) => Self::Tears,
             "wrinkling" | "wall_wrinkles" | "fold" => Self::Wrinkles,
             "press_force" | "energy" => Self::Press,
             _ => Self::Other,
@@ -42,8 +45,4 @@ impl FailureMode {
         let tore_before = stop.kind == NoEquilibrium && modes.first() == Some(&Self::Tears);
         if is_lost && !tore_before { vec![Self::NoResult] } else { modes }
     }
-}
-
-pub(super) fn is_tear(key: &str) -> bool {
-    ["thinning", "localisation", "forming_limit", "fracture", "edge", "tearing"].contains(&key)
 }

@@ -51,7 +51,7 @@ impl Filling {
 
 pub(super) fn judge(run: &Run) -> Option<Finding> {
     let whole = |stage: &&StageSolution| stage.stop.is_complete();
-    let stage = run.stages.first().filter(whole).filter(|_| fold::first(run.stages).is_none())?;
+    let stage = run.stages.first().filter(whole).filter(|_| run.fold.is_none())?;
     let (filling, pressure) = (Filling::of(stage)?, stage.steps.last()?.pressure.abs());
     let at = format!("{{}} between sheet and die at {}, {}", Amount::stress(pressure), filling.about(run.stages));
     let judged = Finding::judged("filling", "Filling", run.of_stage(at, 0)).number(Amount::thickness(filling.gap));

@@ -140,6 +140,12 @@ impl Finding {
         self.limit(joined([format!("{} {most}", text(amber)), red_text], ", "))
     }
 
+    /// Green without limits of its number.
+    pub(super) fn passed(mut self, limit: &str) -> Self {
+        self.quantity.iter_mut().for_each(|number| number.limits = None);
+        self.light(Light::Green).limit(limit)
+    }
+
     pub(super) fn if_beyond(self) -> Option<Self> {
         (self.light > Light::Green).then_some(self)
     }

@@ -3,7 +3,6 @@
 use super::{tear::place, *};
 use crate::geometry::{Piece, Point};
 use crate::measure::along;
-use crate::solver::solution::Frame;
 
 /// Distance of two stretches of the mid-surface over the thickness, below which they are in one another: a tenth is penetration \[–\].
 const NEAR: f64 = 0.9;
@@ -62,7 +61,7 @@ pub(super) fn first(stages: &[StageSolution]) -> Option<(usize, &Frame)> {
 }
 
 pub(super) fn judge(run: &Run) -> Option<Finding> {
-    let (i, frame) = first(run.stages)?;
+    let (i, frame) = run.fold?;
     let stage = &run.stages[i];
     let last = stage.frames.last()?;
     let at = place(run.stages, folded(&stage.model, last)?);

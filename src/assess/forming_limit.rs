@@ -87,8 +87,7 @@ pub(super) fn margin(run: &Run) -> Option<Finding> {
 
 /// Inside radius of the sharpest bend against the least of DIN 6935, about t for each 390 MPa of tensile strength (not read).
 pub(super) fn bend(run: &Run) -> Option<Finding> {
-    let bend =
-        run.largest(|step| step.sharpest_bend).filter(|bend| *bend > 0.0 && fold::first(run.stages).is_none())?;
+    let bend = run.largest(|step| step.sharpest_bend).filter(|bend| *bend > 0.0 && run.fold.is_none())?;
     let least = (estimate::flange_strength(run.case.model()) / WEAK).max(1.0);
     let text = "bent to {} inside: cracks may open on the outer face, which the forming limit does not judge";
     let judged = Finding::judged("bend_radius", "Bend radius", text).number(Amount::thicknesses(1.0 / bend - 0.5));

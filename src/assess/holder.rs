@@ -2,7 +2,6 @@
 
 use super::{estimate::flange_strength, estimate::held_from, estimate::holder_pressure, *};
 use crate::measure::rests_on_blocks;
-use crate::model::Bead;
 use crate::solver::closing_way;
 
 /// Lift over the thickness that is reported, and at which the flange is no longer held \[–\].

@@ -44,8 +44,8 @@ use crate::forming_limit::assess;
 use crate::geometry::Piece;
 use crate::material::YieldCriterion;
 use crate::measure::events;
-use crate::model::{Edge, Geometry, Mode, Model, Motion, Role, Tool, tool_sizes::extent};
-use crate::solver::solution::{NodeRecord, StageSolution, StepRecord, StopKind};
+use crate::model::{Bead, Edge, Geometry, Mode, Model, Motion, Role, Tool, tool_sizes::extent};
+use crate::solver::solution::{Frame, NodeRecord, StageSolution, StepRecord, StopKind};
 use crate::table::worded;
 use crate::units::{Amount, Digits, ErrorBar, Limits, Quantity, Sense, Unit, joined, rounded, rounded_up, significant};
 use forming_limit::Nearest;
@@ -132,7 +132,7 @@ pub fn before(case: &Case) -> Vec<Finding> {
 
 /// Verdict on a solved case, and the warnings of every stage.
 pub fn after(case: &Case, stages: &[StageSolution]) -> Vec<Finding> {
-    let run = Run { case, stages, nearest: Nearest::of(stages) };
+    let run = Run { case, stages, nearest: Nearest::of(stages), fold: fold::first(stages) };
     let of_stages = stages.iter().enumerate().flat_map(|(i, stage)| of_stage(i, stage));
     // Known before the run, and wrong with its result, if a run that ended as wished came so far.
     let whole = stages.first().filter(|stage| stage.stop.is_complete()).and_then(|stage| stage.steps.last());
@@ -140,8 +140,8 @@ pub fn after(case: &Case, stages: &[StageSolution]) -> Vec<Finding> {
     let of_case =
         [stop::earlier, tools::overlap, tools::wide].into_iter().filter_map(|find| find(case.model())).filter(comes);
     let of_case = of_case.map(|finding| Finding { kind: Kind::Judgement, light: Light::Red, ..finding });
-    let on_run = ON_RUN.iter().filter_map(|find| find(&run));
-    let judged = on_run.map(|finding| if answer::is_test(stages) { of_test(finding) } else { finding });
+    let judge = if answer::is_test(stages) { of_test } else { |finding| finding };
+    let judged = ON_RUN.iter().filter_map(|find| find(&run)).map(judge);
     of_case.chain(judged).chain(of_stages).collect()
 }
 
@@ -152,9 +152,8 @@ pub fn is_done(solution: &Solution) -> bool {
 
 /// A test ends by the failure that it looks for, and its tools are those of its standard.
 fn of_test(mut finding: Finding) -> Finding {
-    if finding.key == "stop" || failure::is_tear(finding.key) {
-        finding.quantity.iter_mut().for_each(|number| number.limits = None);
-        finding = finding.light(Light::Green).limit("the end of the test");
+    if finding.key == "stop" || failure::TEARS.contains(&finding.key) {
+        finding = finding.passed("the end of the test");
     }
     if finding.key != "friction" && finding.light > Light::Grey {
         finding.advice.clear();
@@ -180,6 +179,7 @@ struct Run<'a> {
     case: &'a Case,
     stages: &'a [StageSolution],
     nearest: Option<Nearest<'a>>,
+    fold: Option<(usize, &'a Frame)>,
 }
 
 impl<'a> Run<'a> {

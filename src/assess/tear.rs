@@ -92,8 +92,7 @@ pub(super) fn tearing(run: &Run) -> Option<Finding> {
     let judged = Finding::judged("tearing", "Tearing", run.of_stage(text, i)).number(Amount::share(step.tearing_index));
     let mut judged = judged.at_most(near, tears).advice(remedy(model));
     if model.blank.edge != Edge::Free && model.forming_limit.is_some() && judged.light == Light::Green {
-        judged.quantity.iter_mut().for_each(|number| number.limits = None);
-        judged = judged.limit("100 % at most; short of it the forming limit judges a held sheet");
+        judged = judged.passed("100 % at most; short of it the forming limit judges a held sheet");
     }
     let judged = judged.source("Considère in plane strain, bent over the punch; 90 %: declared");
     (step.tearing_index > 0.0).then_some(judged)
